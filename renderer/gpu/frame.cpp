@@ -1,0 +1,175 @@
+#include "renderer/gpu/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/gpu/errors.h"
+
+namespace plume::gpu {
+namespace {
+
+constexpr uint32_t kMaxPasses = 256;
+
+const vk::MemoryBarrier2 kFullBarrier{
+    .srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
+    .srcAccessMask = vk::AccessFlagBits2::eMemoryWrite,
+    .dstStageMask = vk::PipelineStageFlagBits2::eAllCommands,
+    .dstAccessMask = vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite};
+
+vk::RenderingAttachmentInfo attachment(const Image& image, const std::optional<vk::ClearValue>& clear) {
+  return {.imageView = image.view(),
+          .imageLayout = vk::ImageLayout::eGeneral,
+          .loadOp = clear ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
+          .storeOp = vk::AttachmentStoreOp::eStore,
+          .clearValue = clear.value_or(vk::ClearValue{})};
+}
+
+}  // namespace
+
+void Pass::bind(const Pipeline& pipeline, const Bindings& bindings, std::span<const std::byte> push) {
+  commands_.bindPipeline(pipeline.bind_point, *pipeline.pipeline);
+  std::vector<vk::WriteDescriptorSet> writes;
+  std::vector<vk::DescriptorBufferInfo> buffers(pipeline.bindings.size());
+  std::vector<vk::DescriptorImageInfo> images(pipeline.bindings.size());
+  for (size_t i = 0; i < pipeline.bindings.size(); ++i) {
+    const ShaderBinding& wanted = pipeline.bindings[i];
+    const auto given =
+        std::find_if(bindings.begin(), bindings.end(), [&](const Binding& b) { return b.name == wanted.name; });
+    if (given == bindings.end())
+      throw ShaderError(fmt::format("{} needs '{}', which is not bound", pipeline.name, wanted.name));
+    vk::WriteDescriptorSet write{.dstBinding = wanted.binding, .descriptorCount = 1, .descriptorType = wanted.type};
+    if (const auto* buffer = std::get_if<const Buffer*>(&given->resource)) {
+      buffers[i] = vk::DescriptorBufferInfo{.buffer = (*buffer)->vk(), .range = VK_WHOLE_SIZE};
+      write.pBufferInfo = &buffers[i];
+    } else {
+      const Image& image = *std::get<const Image*>(given->resource);
+      images[i] = vk::DescriptorImageInfo{.sampler = pipelines_.sampler_for(image.format()),
+                                          .imageView = image.view(),
+                                          .imageLayout = vk::ImageLayout::eGeneral};
+      write.pImageInfo = &images[i];
+    }
+    writes.push_back(write);
+  }
+  if (!writes.empty()) commands_.pushDescriptorSetKHR(pipeline.bind_point, *pipeline.layout, 0, writes);
+  commands_.pushConstants<std::byte>(*pipeline.layout, vk::ShaderStageFlagBits::eAll, 0,
+                                     vk::ArrayProxy<const std::byte>(uint32_t(push.size()), push.data()));
+}
+
+void Pass::dispatch_raw(const Pipeline& pipeline, const Bindings& bindings, std::span<const std::byte> push,
+                        std::array<uint32_t, 3> groups) {
+  bind(pipeline, bindings, push);
+  commands_.dispatch(groups[0], groups[1], groups[2]);
+}
+
+void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
+  GraphicsDesc desc{.vertex = draw.vertex, .fragment = draw.fragment, .targets = {}, .depth = draw.depth_use,
+                    .constants = draw.constants};
+  std::vector<vk::RenderingAttachmentInfo> colors;
+  for (const Attachment& target : draw.targets) {
+    desc.targets.push_back({target.image->format(), target.blend});
+    colors.push_back(attachment(*target.image, target.clear ? std::optional(vk::ClearValue{
+                                                                  .color = {.float32 = *target.clear}})
+                                                            : std::nullopt));
+  }
+  const Pipeline& pipeline = pipelines_.graphics(desc);
+  vk::RenderingAttachmentInfo depth;
+  if (draw.depth)
+    depth = attachment(*draw.depth, draw.clear_depth ? std::optional(vk::ClearValue{.depthStencil = {.depth = 0.0f}})
+                                                     : std::nullopt);
+  const vk::Rect2D area{.extent = {draw.area.width, draw.area.height}};
+  commands_.beginRendering({.renderArea = area,
+                            .layerCount = 1,
+                            .colorAttachmentCount = uint32_t(colors.size()),
+                            .pColorAttachments = colors.data(),
+                            .pDepthAttachment = draw.depth ? &depth : nullptr});
+  commands_.setViewport(
+      0, vk::Viewport{.width = float(draw.area.width), .height = float(draw.area.height), .maxDepth = 1.0f});
+  commands_.setScissor(0, area);
+  bind(pipeline, draw.bindings, push);
+  if (draw.vertices > 0 && draw.instances > 0) commands_.draw(draw.vertices, draw.instances, 0, 0);
+  commands_.endRendering();
+}
+
+void Pass::fill(const Buffer& buffer, uint32_t word) { commands_.fillBuffer(buffer.vk(), 0, VK_WHOLE_SIZE, word); }
+
+void Pass::clear(const Image& image, const std::array<float, 4>& value) {
+  const vk::ImageSubresourceRange range{.aspectMask = image.aspect(), .levelCount = 1, .layerCount = image.layers()};
+  commands_.clearColorImage(image.vk(), vk::ImageLayout::eGeneral, vk::ClearColorValue{.float32 = value}, range);
+}
+
+void Pass::update_raw(const Buffer& buffer, std::span<const std::byte> data) {
+  constexpr size_t kMost = 65536;   // of vkCmdUpdateBuffer
+  for (size_t at = 0; at < data.size(); at += kMost) {
+    const auto part = data.subspan(at, std::min(kMost, data.size() - at));
+    commands_.updateBuffer<std::byte>(buffer.vk(), at, vk::ArrayProxy<const std::byte>(uint32_t(part.size()), part.data()));
+  }
+}
+
+void Pass::copy(const Image& from, const Image& to) {
+  const vk::ImageSubresourceLayers layers{.aspectMask = from.aspect(), .layerCount = 1};
+  commands_.copyImage(from.vk(), vk::ImageLayout::eGeneral, to.vk(), vk::ImageLayout::eGeneral,
+                      vk::ImageCopy{.srcSubresource = layers, .dstSubresource = layers, .extent = from.extent()});
+}
+
+void Pass::barrier() { commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier}); }
+
+Frame::Frame(Device& device, Pipelines& pipelines)
+    : device_(device),
+      pipelines_(pipelines),
+      commands_(device.new_commands()),
+      stamps_(device.vk().createQueryPool({.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kMaxPasses})),
+      breadcrumb_(device, {.owner = "frame", .label = "breadcrumb", .bytes = 4, .host_visible = true}) {
+  stamps_.reset(0, 2 * kMaxPasses);
+  breadcrumb_.mapped<uint32_t>()[0] = 0;
+  commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+}
+
+void Frame::full_barrier() { commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier}); }
+
+void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record) {
+  if (names_.size() == kMaxPasses) throw std::logic_error("a frame has too many passes");
+  const std::string label(name);
+  const uint32_t index = uint32_t(names_.size());
+  names_.push_back(label);
+  if (device_.has_debug_labels()) commands_.beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
+  commands_.fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
+  // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass reads 0.02 ms).
+  full_barrier();
+  commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index);
+  Pass pass(commands_, pipelines_);
+  record(pass);
+  full_barrier();
+  commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index + 1);
+  if (device_.has_debug_labels()) commands_.endDebugUtilsLabelEXT();
+}
+
+std::vector<PassTime> Frame::finish() {
+  commands_.end();
+  try {
+    const std::string& fault = device_.options().fault;
+    for (const std::string& name : names_) {   // injected by tests, where a real driver would report it
+      if (fault == "device_lost@" + name) throw DeviceFailure("the device was lost (injected)");
+      if (fault == "out_of_memory@" + name) throw DeviceFailure("out of device memory (injected)");
+    }
+    device_.submit_and_wait(commands_);
+  } catch (const DeviceFailure& failure) {
+    const std::string& fault = device_.options().fault;
+    const uint32_t begun = breadcrumb_.mapped<uint32_t>()[0];
+    const std::string last = !fault.empty() ? fault.substr(fault.find('@') + 1)
+                             : begun > 0    ? names_[begun - 1]
+                                            : "none";
+    throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), last));
+  }
+
+  std::vector<PassTime> times;
+  const double ms_per_tick = double(device_.limits().timestampPeriod) * 1e-6;
+  const auto [result, stamps] = stamps_.getResults<uint64_t>(
+      0, 2 * uint32_t(names_.size()), 2 * names_.size() * sizeof(uint64_t), sizeof(uint64_t),
+      vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+  for (size_t i = 0; i < names_.size(); ++i)
+    times.push_back({names_[i], double(stamps[2 * i + 1] - stamps[2 * i]) * ms_per_tick});
+  return times;
+}
+
+}  // namespace plume::gpu

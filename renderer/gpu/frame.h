@@ -1,0 +1,120 @@
+// GPU work as a list of named, timed passes. frame.pass("splat", ...) is the one way to record: it opens a debug label,
+// a pair of timestamps and the barriers that separate it from its neighbours.
+#ifndef PLUME_GPU_FRAME_H
+#define PLUME_GPU_FRAME_H
+
+#include <array>
+#include <functional>
+#include <variant>
+
+#include "renderer/gpu/pipelines.h"
+#include "renderer/gpu/resources.h"
+
+namespace plume::gpu {
+
+/// What a shader's named descriptor is bound to: an image is sampled or storage as the shader declares it.
+struct Binding {
+  std::string_view name;
+  std::variant<const Buffer*, const Image*> resource;
+};
+using Bindings = std::vector<Binding>;
+
+struct Attachment {
+  const Image* image;
+  Blend blend = Blend::kReplace;
+  std::optional<std::array<float, 4>> clear;   ///< nothing: keeps what is there
+};
+
+struct Area {
+  uint32_t width, height;
+};
+
+struct Draw {
+  std::string vertex, fragment;
+  std::vector<Attachment> targets;
+  const Image* depth = nullptr;
+  DepthUse depth_use = DepthUse::kNone;
+  bool clear_depth = false;   ///< to "infinitely far", 0
+  Area area{0, 0};            ///< of viewport and scissor
+  Constants constants;
+  Bindings bindings;
+  uint32_t vertices = 3, instances = 1;
+};
+
+class Pass {
+ public:
+  template <class Push>
+  void dispatch(const Pipeline& pipeline, const Bindings& bindings, const Push& push,
+                std::array<uint32_t, 3> groups) {
+    static_assert(sizeof(Push) <= 128 && sizeof(Push) % 4 == 0);
+    dispatch_raw(pipeline, bindings, std::as_bytes(std::span(&push, 1)), groups);
+  }
+  template <class Push>
+  void draw(const Draw& draw, const Push& push) {
+    static_assert(sizeof(Push) <= 128 && sizeof(Push) % 4 == 0);
+    draw_raw(draw, std::as_bytes(std::span(&push, 1)));
+  }
+  void fill(const Buffer& buffer, uint32_t word);
+  void clear(const Image& image, const std::array<float, 4>& value);
+  /// Images of one size and format.
+  void copy(const Image& from, const Image& to);
+  /// Writes a few structs into the buffer's start; a barrier() must follow before they are read.
+  template <class Data>
+  void update(const Buffer& buffer, std::span<const Data> data) {
+    update_raw(buffer, std::as_bytes(data));
+  }
+  template <class Data>
+  void update(const Buffer& buffer, const Data& data) {
+    update(buffer, std::span<const Data>(&data, 1));
+  }
+  /// Between two steps of one pass where the second reads what the first wrote.
+  void barrier();
+  const vk::raii::CommandBuffer& commands() const { return commands_; }
+  Pipelines& pipelines() { return pipelines_; }
+
+ private:
+  friend class Frame;
+  Pass(const vk::raii::CommandBuffer& commands, Pipelines& pipelines)
+      : commands_(commands), pipelines_(pipelines) {}
+  void dispatch_raw(const Pipeline&, const Bindings&, std::span<const std::byte> push, std::array<uint32_t, 3>);
+  void draw_raw(const Draw&, std::span<const std::byte> push);
+  void update_raw(const Buffer& buffer, std::span<const std::byte> data);
+  void bind(const Pipeline&, const Bindings&, std::span<const std::byte> push);
+
+  const vk::raii::CommandBuffer& commands_;
+  Pipelines& pipelines_;
+};
+
+struct PassTime {
+  std::string name;
+  double ms;
+};
+
+class Frame {
+ public:
+  Frame(Device& device, Pipelines& pipelines);
+
+  void pass(std::string_view name, const std::function<void(Pass&)>& record);
+  /// Submits, waits, and gives the passes' times in the order of recording. Throws DeviceFailure naming the last pass
+  /// that began when the device is lost or out of memory.
+  std::vector<PassTime> finish();
+
+  Device& device() { return device_; }
+  Pipelines& pipelines() { return pipelines_; }
+
+ private:
+  void full_barrier();
+
+  Device& device_;
+  Pipelines& pipelines_;
+  vk::raii::CommandBuffer commands_;
+  vk::raii::QueryPool stamps_;
+  Buffer breadcrumb_;   ///< host-visible: 1 + index of the last pass that began on the device
+  std::vector<std::string> names_;
+};
+
+/// Work groups that cover `items` with groups of `size`.
+constexpr uint32_t groups(uint64_t items, uint32_t size) { return uint32_t((items + size - 1) / size); }
+
+}  // namespace plume::gpu
+#endif

@@ -1,0 +1,79 @@
+// Pipelines by description, made when first asked for and kept. Layouts come from the shaders themselves.
+#ifndef PLUME_GPU_PIPELINES_H
+#define PLUME_GPU_PIPELINES_H
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "renderer/gpu/device.h"
+#include "renderer/gpu/reflection.h"
+#include "renderer/gpu/shaders.h"
+
+namespace plume::gpu {
+
+/// Specialisation constants: constant_id = position.
+using Constants = std::vector<uint32_t>;
+
+struct Pipeline {
+  std::string name;
+  std::vector<ShaderBinding> bindings;
+  vk::PipelineBindPoint bind_point;
+  vk::raii::DescriptorSetLayout set_layout{nullptr};
+  vk::raii::PipelineLayout layout{nullptr};
+  vk::raii::Pipeline pipeline{nullptr};
+};
+
+/// How a fragment's output meets what the target holds.
+enum class Blend { kReplace, kAdd, kMultiply, kOver, kOverDual };
+
+struct Target {
+  vk::Format format;
+  Blend blend = Blend::kReplace;
+  bool operator<(const Target& other) const {
+    return std::tie(format, blend) < std::tie(other.format, other.blend);
+  }
+};
+
+enum class DepthUse { kNone, kTest, kTestAndWrite };
+
+struct GraphicsDesc {
+  std::string vertex, fragment;   ///< shader names; no vertex buffers: shaders pull
+  std::vector<Target> targets;
+  DepthUse depth = DepthUse::kNone;   ///< reversed: nearer is greater; D32
+  Constants constants;
+};
+
+class Pipelines {
+ public:
+  Pipelines(Device& device, const Shaders& shaders);
+
+  const Pipeline& compute(const std::string& shader, const Constants& constants = {});
+  const Pipeline& graphics(const GraphicsDesc& desc);
+
+  /// Makes every pipeline anew from the shaders as they are now. A failure throws ShaderError and keeps the old ones.
+  void reload();
+  size_t count() const { return pipelines_.size(); }
+  /// Clamped to the edge; linear, except for formats that devices need not filter.
+  vk::Sampler sampler_for(vk::Format format) const;
+
+ private:
+  Pipeline start(const std::string& name, std::span<const std::vector<uint32_t>> modules,
+                 vk::PipelineBindPoint bind_point);
+  Pipeline make_compute(const std::string& shader, const Constants& constants);
+  Pipeline make_graphics(const GraphicsDesc& desc);
+
+  struct Entry {
+    std::function<Pipeline()> make;
+    std::unique_ptr<Pipeline> pipeline;
+  };
+  const Pipeline& find_or_make(std::string key, std::function<Pipeline()> make);
+
+  Device& device_;
+  const Shaders& shaders_;
+  vk::raii::Sampler linear_, nearest_;
+  std::map<std::string, Entry> pipelines_;
+};
+
+}  // namespace plume::gpu
+#endif

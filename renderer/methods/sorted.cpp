@@ -1,0 +1,63 @@
+// Alpha blending in sorted order ("No OIT"): the GPU sorts all cards by the depth of their centres, then they are blended back to
+// front. The sort is part of the cost and its own pass.
+#include "renderer/methods/methods.h"
+#include "renderer/radix_sort.h"
+
+namespace plume {
+namespace {
+
+class Sorted final : public Method {
+ public:
+  std::string_view id() const override { return "sorted"; }
+  Traits traits() const override {
+    return {.title = "Sorted alpha blending",
+            .source = "the baseline of Drobot 2025 (\"No OIT\"), GPU sort across all cards",
+            .transmission = "RGB, by dual-source blending",
+            .emission = "exact",
+            .limits = "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer"};
+  }
+
+  Needs needs(glm::uvec2, uint32_t cards) const override {
+    const uint64_t count = std::max(cards, 1u);
+    return {.images = {},
+            .buffers = {{.name = "pairs", .bytes = count * 8, .clear = {}},
+                        {.name = "scratch", .bytes = count * 8, .clear = {}},
+                        {.name = "counts", .bytes = radix_counts_bytes(cards), .clear = {}},
+                        {.name = "order", .bytes = count * 4, .clear = {}}}};
+  }
+
+  void record(const Picture& picture) override {
+    const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+    const Transparents& transparents = picture.transparents;
+    const uint32_t count = transparents.count;
+
+    picture.frame.pass("sort", [&](gpu::Pass& pass) {
+      if (count == 0) return;
+      pass.dispatch(pass.pipelines().compute("methods/sort_keys.comp"),
+                    {{"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}}, count,
+                    {gpu::groups(count, 256), 1, 1});
+      pass.barrier();
+      radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
+      pass.dispatch(pass.pipelines().compute("methods/sorted_order.comp"),
+                    {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count, {gpu::groups(count, 256), 1, 1});
+    });
+    picture.frame.pass("copy", [&](gpu::Pass& pass) { pass.copy(picture.opaque_color, picture.result); });
+    picture.frame.pass("draw", [&](gpu::Pass& pass) {
+      transparents.draw(pass, {.fragment = "methods/sorted.frag",
+                               .targets = {{.image = &picture.result, .blend = gpu::Blend::kOverDual, .clear = {}}},
+                               .depth_test = &picture.opaque_depth,
+                               .opaque_depth = &picture.opaque_depth,
+                               .area = picture.area(),
+                               .constants = {},
+                               .bindings = {},
+                               .order = buffer("order"),
+                               .backwards = true});
+    });
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_sorted() { return std::make_unique<Sorted>(); }
+
+}  // namespace plume

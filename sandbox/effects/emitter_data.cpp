@@ -1,0 +1,87 @@
+#include "sandbox/effects/emitter_data.h"
+
+#include <cmath>
+
+#include "shaders/shared/hash.h"
+
+namespace plume {
+namespace {
+
+constexpr float kStandardGravity = 9.81f;   // m/s^2
+
+uint32_t hash_text(const std::string& text) {
+  uint32_t h = 0;
+  for (const char c : text) h = shared::hash_pair(h, uint32_t(uint8_t(c)));
+  return h;
+}
+
+float inverse_or_zero(float value) { return value > 0.0f ? 1.0f / value : 0.0f; }
+
+}  // namespace
+
+shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scene_seed, glm::vec3 wind) {
+  const Emitter& emitter = call.effect->emitters[index];
+  const auto& [name, spawn, shape, motion, look] = emitter;
+  const float yaw = glm::radians(call.yaw_deg), yaw_sin = std::sin(yaw), yaw_cos = std::cos(yaw);
+  const auto turn = [&](glm::vec3 v) {
+    return glm::vec3(v.x * yaw_cos + v.z * yaw_sin, v.y, v.z * yaw_cos - v.x * yaw_sin);
+  };
+  // Named, not numbered: adding an emitter or an instance leaves the others as they were.
+  const uint32_t seed = shared::hash_pair(hash_text(call.effect->id + "/" + name),
+                                          shared::hash_pair(hash_text(call.name) ^ call.seed, scene_seed));
+  const glm::vec3 origin = call.position + turn(shape.offset_m);
+  return {.seed = seed,
+          .shape = uint32_t(shape.kind),
+          .call_tick = call.tick,
+          .life_min = spawn.life_ticks.min,
+          .life_max = spawn.life_ticks.max,
+          .curl_octaves = motion.curl.octaves,
+          .texture_kind = uint32_t(look.texture),
+          .flags = (look.lit ? shared::kEmitterLit : 0) | (motion.curl.strength != 0.0f ? shared::kEmitterCurl : 0),
+          .origin = origin,
+          .yaw_sin = yaw_sin,
+          .size = shape.size_m,
+          .yaw_cos = yaw_cos,
+          .radius = shape.radius_m,
+          .thickness = shape.thickness,
+          .cone_angle = glm::radians(shape.angle_deg),
+          .speed_min = motion.speed.min,
+          .speed_max = motion.speed.max,
+          .velocity = turn(motion.velocity),
+          .gravity = {0.0f, -kStandardGravity * motion.gravity, 0.0f},
+          .drag = motion.drag,
+          .wind = wind * motion.wind,
+          .buoyancy = motion.buoyancy,
+          .inv_cooling = inverse_or_zero(motion.cooling_s),
+          .floor_y = motion.floor_y,
+          .curl_strength = motion.curl.strength,
+          .curl_inv_scale = inverse_or_zero(motion.curl.scale_m),
+          .curl_speed = motion.curl.speed,
+          .vortex_strength = motion.vortex.strength,
+          .vortex_inv_radius = inverse_or_zero(motion.vortex.radius_m),
+          .vortex_pull = motion.vortex.pull,
+          .radius_scale_min = look.radius_scale.min,
+          .radius_scale_max = look.radius_scale.max,
+          .cross_section = look.cross_section_m2.value_or(0.0f),
+          .inv_feather = inverse_or_zero(look.feather_m),
+          .camera_offset = look.camera_offset_m,
+          .frames_per_tick = look.flipbook_fps / float(kTicksPerSecond),
+          .spin_min = glm::radians(look.spin_deg_s.min),
+          .spin_max = glm::radians(look.spin_deg_s.max),
+          .stretch = look.stretch_s,
+          .core = call.position};
+}
+
+CurveTable bake_curves(const Look& look) {
+  CurveTable table;
+  for (uint32_t i = 0; i < shared::kCurveSamples; ++i) {
+    const float life = float(i) / float(shared::kCurveSamples - 1);
+    const float alpha = look.opacity ? look.opacity->at(life) : 0.0f;
+    table[i] = {look.radius_m.at(life), look.fade.at(life), alpha, 0.0f};
+    table[shared::kCurveSamples + i] = glm::vec4(look.color.at(life), 0.0f);
+    table[2 * shared::kCurveSamples + i] = glm::vec4(look.emission.at(life), 0.0f);
+  }
+  return table;
+}
+
+}  // namespace plume

@@ -1,0 +1,29 @@
+// An emitter of a called instance as the GPU reads it.
+#ifndef PLUME_EFFECTS_EMITTER_DATA_H
+#define PLUME_EFFECTS_EMITTER_DATA_H
+
+#include <array>
+
+#include "sandbox/effects/effect.h"
+#include "shaders/shared/particle.h"
+
+namespace plume {
+
+/// An effect called in a scene.
+struct Call {
+  std::string name;        ///< of the instance
+  const Effect* effect;
+  uint32_t tick;           ///< of the scene
+  glm::vec3 position;
+  float yaw_deg;
+  uint32_t seed;
+};
+
+shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind);
+
+using CurveTable = std::array<glm::vec4, shared::kCurvesPerEmitter * shared::kCurveSamples>;
+/// The curves of an emitter, sampled evenly over normalised life; rows as shaders/shared/particle.h says.
+CurveTable bake_curves(const Look& look);
+
+}  // namespace plume
+#endif

@@ -1,0 +1,64 @@
+#include "sandbox/measure/file_bytes.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+namespace plume {
+namespace {
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+// Other threads and other shards may be writing beside us, perhaps the same file.
+std::filesystem::path temporary_beside(const std::filesystem::path& path) {
+  static std::atomic<unsigned> count{0};
+  std::filesystem::path temporary = path;
+  temporary += ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
+  return temporary;
+}
+
+// Returns 0 or the errno of what failed.
+int write_all(int file, std::span<const uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes = bytes.subspan(static_cast<size_t>(written));
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<uint8_t> read_file(const std::filesystem::path& path) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) throw FileError(path, reason(errno));
+  std::vector<uint8_t> bytes;
+  uint8_t buffer[1 << 16];
+  while (const size_t got = std::fread(buffer, 1, sizeof buffer, file.get()))
+    bytes.insert(bytes.end(), buffer, buffer + got);
+  if (std::ferror(file.get())) throw FileError(path, reason(errno));
+  return bytes;
+}
+
+void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+  const std::filesystem::path temporary = temporary_beside(path);
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) throw FileError(path, reason(errno));
+  int error = write_all(file, bytes);
+  // A full disk or a network share may only tell at close.
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  ::unlink(temporary.c_str());
+  throw FileError(path, reason(error));
+}
+
+}  // namespace plume

@@ -1,0 +1,52 @@
+// Finds the effects, scenes and replays of a preset folder by id (file name without .toml) or by path.
+#ifndef PLUME_PRESETS_LIBRARY_H
+#define PLUME_PRESETS_LIBRARY_H
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sandbox/effects/effect.h"
+#include "sandbox/scene/replay.h"
+#include "sandbox/scene/scene.h"
+
+namespace plume {
+
+enum class PresetKind { kEffect, kScene, kReplay };
+
+/// A preset, or a preset folder, that is not there; the message names the nearest one that is.
+struct PresetError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Looks at the folder each time it is asked, so presets saved while the program runs are found.
+class PresetLibrary {
+ public:
+  /// `root` holds effects/, scenes/ and replays/; each may be absent.
+  explicit PresetLibrary(std::filesystem::path root) : root_(std::move(root)) {}
+
+  const std::filesystem::path& root() const { return root_; }
+  /// Sorted.
+  std::vector<std::string> ids(PresetKind kind) const;
+  /// The file of a preset. A name with '/' or ending in .toml is a path, else an id. Throws PresetError when
+  /// there is none.
+  std::filesystem::path find(PresetKind kind, std::string_view name) const;
+
+  /// Find and read; throw PresetError or FileErrors.
+  Effect effect(std::string_view name) const;
+  Scene scene(std::string_view name) const;
+  Replay replay(std::string_view name) const;
+
+ private:
+  std::filesystem::path root_;
+};
+
+/// The folder of the presets: $PLUME_PRESETS, else ../presets beside the program, else that of the source
+/// tree it was built from. Throws PresetError that names every place tried; a PLUME_PRESETS that is no folder
+/// is an error at once.
+std::filesystem::path preset_root();
+
+}  // namespace plume
+#endif

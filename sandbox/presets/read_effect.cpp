@@ -1,0 +1,162 @@
+#include "sandbox/presets/read_effect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sandbox/effects/spawn_schedule.h"
+#include "sandbox/presets/table_reader.h"
+
+namespace plume {
+namespace {
+
+constexpr std::string_view kShapes[] = {"point", "sphere", "hemisphere", "box", "cone", "ring"};
+constexpr std::string_view kTextures[] = {"puff", "disc", "soft"};
+
+constexpr size_t kMaxEmitters = 64;
+constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
+constexpr Limits kRate{0, 1e6, "particles a second"};
+constexpr Limits kShare{0, 1};
+constexpr Limits kRadiance{0, 10'000};
+
+void read_rate(TableReader& spawn, Spawn& out) {
+  if (spawn.is_array("rate")) {
+    std::vector<std::array<double, 2>> keys;
+    spawn.pairs("rate", {"tick", kTick, true}, {"per_second", kRate}, 2, keys);
+    for (const auto& [tick, per_second] : keys) out.rate.push_back({static_cast<uint32_t>(tick), per_second});
+    return;
+  }
+  double per_second = 0;
+  const bool constant = spawn.number("rate", per_second, kRate);
+  if (!spawn.has("rate") && !spawn.has("duration")) return;
+  uint32_t duration = 0;
+  const bool lasting = spawn.integer("duration", duration, {1, kTick.max, kTick.unit}, Need::kRequired);
+  if (!spawn.has("rate"))
+    spawn.report("duration", "`duration` without `rate`, expected `rate` = particles a second");
+  if (constant && lasting) out.rate = {{0, per_second}, {duration, per_second}};
+}
+
+void read_spawn(TableReader& spawn, Spawn& out) {
+  const size_t before = spawn.mistakes();
+  read_rate(spawn, out);
+  std::vector<std::array<double, 2>> bursts;
+  spawn.pairs("bursts", {"tick", kTick, true},
+              {"count", {1, static_cast<double>(kMaxAlive), "particles"}, true}, 1, bursts);
+  for (const auto& [tick, count] : bursts)
+    out.bursts.push_back({static_cast<uint32_t>(tick), static_cast<uint32_t>(count)});
+  spawn.range("life", out.life_ticks, {1, 36'000, "ticks"}, Need::kRequired);
+  if (spawn.mistakes() > before) return;
+
+  const SpawnSchedule schedule(out);
+  if (schedule.births_total() == 0) {
+    spawn.report("rate", "no particle is ever born, expected `rate` or `bursts` that give at least one");
+  } else if (schedule.capacity() > kMaxAlive) {
+    spawn.report(
+        spawn.has("rate") ? "rate" : "bursts",
+        fmt::format("{} particles are alive at once, expected at most {}: lower `rate`, `bursts` or `life`",
+                    schedule.capacity(), kMaxAlive));
+  } else if (schedule.births_total() > UINT32_MAX) {
+    spawn.report("rate",
+                 fmt::format("{} particles are born in all, expected at most {}: lower `rate` or `duration`",
+                             schedule.births_total(), UINT32_MAX));
+  }
+}
+
+/// Asks only for what the kind uses, so that a key without effect is reported as unknown.
+void read_shape(TableReader& shape, Shape& out) {
+  const bool known = shape.choice("kind", out.kind, kShapes, Need::kRequired);
+  const auto any_of = [&](std::initializer_list<ShapeKind> kinds) {
+    return !known || std::ranges::find(kinds, out.kind) != kinds.end();
+  };
+  using enum ShapeKind;
+  const Need need = known ? Need::kRequired : Need::kOptional;
+  const Limits radius{0.001, 1000, "m"};
+  if (any_of({kSphere, kHemisphere, kRing})) shape.number("radius_m", out.radius_m, radius, need);
+  if (known && out.kind == kCone) shape.number("radius_m", out.radius_m, {0, 1000, "m"});
+  if (any_of({kSphere, kHemisphere, kCone, kRing})) shape.number("thickness", out.thickness, kShare);
+  if (any_of({kBox})) shape.vector("size_m", out.size_m, {0, 1000, "m"}, need);
+  if (any_of({kCone})) shape.number("angle_deg", out.angle_deg, {0, 90, "degrees"}, need);
+  shape.vector("offset_m", out.offset_m, {-1000, 1000, "m"});
+}
+
+void read_motion(TableReader& motion, Motion& out) {
+  const Limits speed{-1000, 1000, "m/s"}, acceleration{-1000, 1000, "m/s^2"};
+  motion.range("speed", out.speed, speed);
+  motion.vector("velocity", out.velocity, speed);
+  motion.number("gravity", out.gravity, {-100, 100, "g"});
+  motion.number("drag", out.drag, {0, 1000, "1/s"});
+  motion.number("wind", out.wind, {0, 10});
+  motion.number("buoyancy", out.buoyancy, acceleration);
+  motion.number("cooling_s", out.cooling_s, {0.001, 3600, "s"});
+  motion.number("floor_y", out.floor_y, {-10'000, 10'000, "m"});
+  motion.table("curl", [&](TableReader& curl) {
+    curl.number("strength", out.curl.strength, {0, 1000, "m/s^2"}, Need::kRequired);
+    curl.number("scale_m", out.curl.scale_m, {0.01, 1000, "m"});
+    curl.number("speed", out.curl.speed, {-100, 100, "wavelengths a second"});
+    curl.integer("octaves", out.curl.octaves, {1, 3});
+  });
+  motion.table("vortex", [&](TableReader& vortex) {
+    vortex.number("strength", out.vortex.strength, acceleration, Need::kRequired);
+    vortex.number("radius_m", out.vortex.radius_m, {0.01, 1000, "m"});
+    vortex.number("pull", out.vortex.pull, acceleration);
+  });
+}
+
+void read_look(TableReader& look, Look& out) {
+  look.choice("texture", out.texture, kTextures);
+  look.curve("radius_m", out.radius_m, {0.001, 100, "m"});
+  look.range("radius_scale", out.radius_scale, {0.01, 100});
+  float cross_section = 0;
+  if (look.number("cross_section_m2", cross_section, {1e-6, 10'000, "m^2"}))
+    out.cross_section_m2 = cross_section;
+  Curve opacity{1.0f};
+  if (look.curve("opacity", opacity, kShare)) out.opacity = opacity;
+  if (look.has("cross_section_m2") == look.has("opacity"))
+    look.report("opacity",
+                fmt::format("{} of `cross_section_m2` and `opacity` given, expected exactly one of them",
+                            look.has("opacity") ? "both" : "neither"));
+  look.curve("fade", out.fade, {0, 100});
+  look.toggle("lit", out.lit);
+  look.gradient("color", out.color, out.lit ? kShare : kRadiance);
+  look.gradient("emission", out.emission, kRadiance);
+  look.number("feather_m", out.feather_m, {0, 100, "m"});
+  look.number("camera_offset_m", out.camera_offset_m, {-100, 100, "m"});
+  look.number("flipbook_fps", out.flipbook_fps, {0, 240, "frames a second"});
+  look.range("spin_deg_s", out.spin_deg_s, {-3600, 3600, "degrees a second"});
+  look.number("stretch_s", out.stretch_s, {0, 10, "s"});
+}
+
+}  // namespace
+
+Effect read_effect_text(std::string_view text, const std::string& file) {
+  Effect effect;
+  effect.id = preset_id(file);
+  read_document(text, file, [&](TableReader& top) {
+    top.text("name", effect.name, Need::kRequired);
+    top.text("description", effect.description);
+    top.tables(
+        "emitter", kMaxEmitters,
+        [&](TableReader& table) {
+          Emitter emitter;
+          table.text("name", emitter.name, Need::kRequired);
+          table.table(
+              "spawn", [&](TableReader& spawn) { read_spawn(spawn, emitter.spawn); }, Need::kRequired);
+          table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
+          table.table("motion", [&](TableReader& motion) { read_motion(motion, emitter.motion); });
+          table.table(
+              "look", [&](TableReader& look) { read_look(look, emitter.look); }, Need::kRequired);
+          if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())
+            table.report("name", fmt::format("a second emitter is named \"{}\", expected a name of its own",
+                                             emitter.name));
+          effect.emitters.push_back(std::move(emitter));
+        },
+        Need::kRequired);
+  });
+  return effect;
+}
+
+Effect read_effect(const std::filesystem::path& path) {
+  return read_effect_text(load_text(path), path.string());
+}
+
+}  // namespace plume

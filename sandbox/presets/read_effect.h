@@ -1,0 +1,23 @@
+// Reads presets/effects/*.toml. The keys are the members of Effect and Emitter; where it is shorter a file
+// may say less.
+#ifndef PLUME_PRESETS_READ_EFFECT_H
+#define PLUME_PRESETS_READ_EFFECT_H
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "sandbox/effects/effect.h"
+
+namespace plume {
+
+/// More than this alive at once in one emitter is an error: their state must fit one 128 MiB storage buffer.
+constexpr uint64_t kMaxAlive = 4'000'000;
+
+/// Throws FileErrors with everything that is wrong in the file.
+Effect read_effect(const std::filesystem::path& path);
+/// The same from text; `file` names it in messages and gives the id.
+Effect read_effect_text(std::string_view text, const std::string& file);
+
+}  // namespace plume
+#endif

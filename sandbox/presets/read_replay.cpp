@@ -1,0 +1,109 @@
+#include "sandbox/presets/read_replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "renderer/methods/method.h"
+#include "renderer/methods/methods.h"
+#include "renderer/parameters.h"
+#include "sandbox/presets/library.h"
+#include "sandbox/presets/read_scene.h"
+#include "sandbox/presets/table_reader.h"
+
+namespace plume {
+namespace {
+
+constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
+constexpr size_t kMaxMethods = 1'000;
+
+void read_ticks(TableReader& top, std::vector<uint32_t>& ticks) {
+  if (!top.is_table("ticks")) {
+    top.ascending("ticks", ticks, kTick, 1);
+    if (!top.has("ticks"))
+      top.report("ticks", "missing key `ticks`, expected a list of ticks or { first, last, step }");
+    return;
+  }
+  top.table("ticks", [&](TableReader& table) {
+    uint32_t first = 0, last = 0, step = 1;
+    bool read = table.integer("first", first, kTick, Need::kRequired);
+    read &= table.integer("last", last, kTick, Need::kRequired);
+    table.integer("step", step, {1, kTick.max, kTick.unit});
+    if (read && last < first)
+      table.report("last", fmt::format("`last` is {}, expected at least `first`, {}", last, first));
+    else if (read)
+      for (uint32_t tick = first; tick <= last; tick += step) ticks.push_back(tick);
+  });
+}
+
+MethodRun read_method(TableReader& table) {
+  MethodRun run;
+  const bool named = table.text("id", run.id, Need::kRequired);
+  const std::vector<Setting> settings = table.settings();
+  if (!named) return run;
+  const std::unique_ptr<Method> method = make_method(run.id);
+  if (!method) {
+    table.report("id", fmt::format("unknown method `{}`, {}", run.id, suggestion(run.id, method_ids())));
+    return run;
+  }
+  for (const Setting& setting : settings) try {
+      set_parameter(*method, setting.key, setting.value);
+      run.settings[setting.key] = setting.value;
+    } catch (const ParameterError& error) {
+      table.report(setting.position, error.what());
+    }
+  return run;
+}
+
+void read_capture(TableReader& table, const std::vector<uint32_t>& ticks, Capture& out) {
+  table.ascending("ticks", out.ticks, kTick);
+  for (const uint32_t tick : out.ticks)
+    if (!ticks.empty() && !std::ranges::binary_search(ticks, tick))
+      table.report(
+          "ticks",
+          fmt::format("tick {} is captured but not played, expected one of the replay's `ticks`", tick));
+  table.toggle("images", out.images);
+  table.toggle("error_maps", out.error_maps);
+  table.toggle("hdr", out.hdr);
+}
+
+}  // namespace
+
+Replay read_replay_text(std::string_view text, const std::string& file) {
+  Replay replay;
+  replay.id = preset_id(file);
+  read_document(text, file, [&](TableReader& top) {
+    top.text("name", replay.name, Need::kRequired);
+    top.text("scene", replay.scene, Need::kRequired);
+    const toml::source_position at = top.position("scene");
+    replay.scene_at = {file, at.line, at.column};
+    uint32_t seed = 0;
+    if (top.integer("seed", seed, {0, UINT32_MAX})) replay.seed = seed;
+    top.size("size", replay.size, {1, 16'384, "pixels"});
+    read_ticks(top, replay.ticks);
+    top.integer("frames", replay.frames, {1, 100'000});
+    top.integer("warmup", replay.warmup, {0, 100'000});
+    replay.camera = read_camera(top, false);
+    top.tables(
+        "method", kMaxMethods, [&](TableReader& table) { replay.methods.push_back(read_method(table)); },
+        Need::kRequired);
+    top.table("capture", [&](TableReader& table) { read_capture(table, replay.ticks, replay.capture); });
+  });
+  return replay;
+}
+
+Replay read_replay(const std::filesystem::path& path) {
+  return read_replay_text(load_text(path), path.string());
+}
+
+std::vector<Diagnostic> check_references(const Replay& replay, const PresetLibrary& library) {
+  try {
+    library.find(PresetKind::kScene, replay.scene);
+    return {};
+  } catch (const PresetError& error) {
+    return {{replay.scene_at.file, replay.scene_at.line, replay.scene_at.column, error.what()}};
+  }
+}
+
+}  // namespace plume

@@ -1,0 +1,27 @@
+// Reads presets/replays/*.toml. The keys are the members of Replay; a [[method]] takes `id`, and its other
+// keys are settings.
+#ifndef PLUME_PRESETS_READ_REPLAY_H
+#define PLUME_PRESETS_READ_REPLAY_H
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sandbox/presets/diagnostics.h"
+#include "sandbox/scene/replay.h"
+
+namespace plume {
+
+class PresetLibrary;
+
+/// Throws FileErrors with everything that is wrong in the file, methods and their settings included.
+Replay read_replay(const std::filesystem::path& path);
+/// The same from text; `file` names it in messages and gives the id.
+Replay read_replay_text(std::string_view text, const std::string& file);
+
+/// A diagnostic when the library does not have the scene.
+std::vector<Diagnostic> check_references(const Replay& replay, const PresetLibrary& library);
+
+}  // namespace plume
+#endif

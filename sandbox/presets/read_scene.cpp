@@ -1,0 +1,182 @@
+#include "sandbox/presets/read_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sandbox/presets/library.h"
+#include "sandbox/presets/table_reader.h"
+#include "sandbox/scene/figure.h"
+
+namespace plume {
+namespace {
+
+constexpr std::string_view kMaterials[] = {"plain", "asphalt", "brick", "wood", "concrete"};
+constexpr std::string_view kTonemaps[] = {"none", "aces"};
+constexpr std::string_view kSolids[] = {"plane", "box", "sphere", "capsule", "figure"};
+constexpr uint32_t kFigure = 4;
+
+constexpr size_t kMaxCameraKeys = 10'000;
+constexpr size_t kMaxSolids = 1'000, kMaxPanes = 10'000, kMaxInstances = 1'000;
+constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
+constexpr Limits kSeed{0, UINT32_MAX};
+constexpr Limits kPlace{-10'000, 10'000, "m"};
+constexpr Limits kExtent{0.001, 10'000, "m"};
+constexpr Limits kAngle{-360, 360, "degrees"};
+constexpr Limits kShare{0, 1};
+constexpr Limits kRadiance{0, 10'000};
+
+void read_light(TableReader& light, Light& out) {
+  light.toggle("sky", out.sky);
+  light.vector("zenith", out.zenith, kRadiance);
+  light.vector("horizon", out.horizon, kRadiance);
+  light.vector("sun_direction", out.sun_direction, {-1000, 1000});
+  // Below this, squaring would lose the direction.
+  if (glm::length(out.sun_direction) < 1e-6f)
+    light.report("sun_direction", "`sun_direction` is zero, expected a direction towards the sun");
+  else
+    out.sun_direction = glm::normalize(out.sun_direction);
+  light.vector("sun_color", out.sun_color, kRadiance);
+}
+
+/// Asks only for what the kind uses, so that a key without effect is reported as unknown.
+void read_solid(TableReader& table, std::vector<Solid>& out) {
+  uint32_t kind = kFigure;
+  const bool known = table.choice("kind", kind, kSolids, Need::kRequired);
+  const auto is = [&](SolidKind wanted) { return !known || kind == static_cast<uint32_t>(wanted); };
+  const Need need = known ? Need::kRequired : Need::kOptional;
+  const bool figure = kind == kFigure;  // also when the kind is wrong: then every key is asked for
+
+  Solid solid;
+  if (known && !figure) solid.kind = static_cast<SolidKind>(kind);
+  table.choice("material", solid.material, kMaterials);
+  table.vector("color", solid.color, kShare);
+  table.vector("position", solid.position, kPlace);
+  if (is(SolidKind::kPlane) && known) {
+    glm::vec2 extents(1.0f);
+    if (table.vector("size_m", extents, kExtent, need)) solid.size_m = {extents.x, 0.0f, extents.y};
+  }
+  if (is(SolidKind::kBox)) table.vector("size_m", solid.size_m, kExtent, need);
+  if (is(SolidKind::kBox) || figure) table.number("yaw_deg", solid.yaw_deg, kAngle);
+  if (is(SolidKind::kSphere) || is(SolidKind::kCapsule))
+    table.number("radius_m", solid.radius_m, kExtent, need);
+  if (is(SolidKind::kCapsule)) {
+    const bool read = table.vector("end", solid.end, kPlace, need);
+    if (read && known && solid.end == solid.position)
+      table.report("end", "`end` is the same as `position`, expected another point, or kind = \"sphere\"");
+  }
+  float height = 1.75f;
+  if (figure) table.number("height_m", height, {0.1, 100, "m"});
+  if (!known) return;
+  if (!figure) return out.push_back(solid);
+  for (const Solid& part :
+       standing_figure(solid.position, solid.yaw_deg, height, solid.color, solid.material))
+    out.push_back(part);
+}
+
+Pane read_pane(TableReader& table) {
+  Pane pane;
+  table.vector("position", pane.position, kPlace);
+  table.number("yaw_deg", pane.yaw_deg, kAngle);
+  table.number("pitch_deg", pane.pitch_deg, kAngle);
+  table.vector("size_m", pane.size_m, kExtent);
+  table.vector("color", pane.color, kRadiance);
+  table.number("coverage", pane.coverage, kShare);
+  table.vector("transmission", pane.transmission, kShare);
+  table.vector("emission", pane.emission, kRadiance);
+  return pane;
+}
+
+Instance read_instance(TableReader& table, const std::string& file) {
+  Instance instance;
+  table.text("effect", instance.effect, Need::kRequired);
+  const toml::source_position at = table.position("effect");
+  instance.effect_at = {file, at.line, at.column};
+  instance.name = instance.effect;
+  table.text("name", instance.name);
+  uint32_t tick = 0;
+  if (table.integer("call_tick", tick, kTick)) instance.call_tick = tick;
+  table.vector("position", instance.position, kPlace);
+  table.number("yaw_deg", instance.yaw_deg, kAngle);
+  table.integer("seed", instance.seed, kSeed);
+  return instance;
+}
+
+}  // namespace
+
+std::vector<CameraKey> read_camera(TableReader& top, bool required) {
+  std::vector<CameraKey> keys;
+  top.tables(
+      "camera", kMaxCameraKeys,
+      [&](TableReader& table) {
+        CameraKey key;
+        table.integer("tick", key.tick, kTick);
+        table.vector("position", key.position, kPlace, Need::kRequired);
+        table.vector("target", key.target, kPlace, Need::kRequired);
+        table.number("vertical_fov_deg", key.vertical_fov_deg, {1, 170, "degrees"});
+        if (table.has("target") && key.target == key.position)
+          table.report("target",
+                       "`target` is the same as `position`, expected a point in front of the camera");
+        if (!keys.empty() && key.tick <= keys.back().tick)
+          table.report("tick", fmt::format("`tick` is {}, expected more than {}, the one before it", key.tick,
+                                           keys.back().tick));
+        keys.push_back(key);
+      },
+      required ? Need::kRequired : Need::kOptional);
+  return keys;
+}
+
+Scene read_scene_text(std::string_view text, const std::string& file) {
+  Scene scene;
+  scene.id = preset_id(file);
+  read_document(text, file, [&](TableReader& top) {
+    top.text("name", scene.name, Need::kRequired);
+    top.text("description", scene.description);
+    top.integer("seed", scene.seed, kSeed);
+    top.integer("duration_ticks", scene.duration_ticks, {1, kTick.max, kTick.unit});
+    top.integer("default_tick", scene.default_tick, kTick);
+    if (scene.default_tick > scene.duration_ticks)
+      top.report("default_tick", fmt::format("`default_tick` is {}, expected at most `duration_ticks`, {}",
+                                             scene.default_tick, scene.duration_ticks));
+    top.number("near_m", scene.near_m, {0.001, 100, "m"});
+    top.number("far_m", scene.far_m, {0.1, 100'000, "m"});
+    if (scene.near_m >= scene.far_m)
+      top.report(top.has("near_m") ? "near_m" : "far_m",
+                 fmt::format("`near_m` is {} and `far_m` is {}, expected `near_m` below `far_m`",
+                             scene.near_m, scene.far_m));
+    top.number("exposure", scene.exposure, {0.001, 1000});
+    top.choice("tonemap", scene.tonemap, kTonemaps);
+    top.vector("wind", scene.wind, {-100, 100, "m/s"});
+    top.table("light", [&](TableReader& light) { read_light(light, scene.light); });
+    scene.camera = read_camera(top, true);
+    top.tables("solid", kMaxSolids, [&](TableReader& table) { read_solid(table, scene.solids); });
+    top.tables("pane", kMaxPanes, [&](TableReader& table) { scene.panes.push_back(read_pane(table)); });
+    top.tables("instance", kMaxInstances, [&](TableReader& table) {
+      Instance instance = read_instance(table, file);
+      if (std::ranges::find(scene.instances, instance.name, &Instance::name) != scene.instances.end())
+        table.report("name",
+                     fmt::format("a second instance is named \"{}\", expected `name` to tell them apart",
+                                 instance.name));
+      scene.instances.push_back(std::move(instance));
+    });
+  });
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path) {
+  return read_scene_text(load_text(path), path.string());
+}
+
+std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library) {
+  std::vector<Diagnostic> found;
+  for (const Instance& instance : scene.instances) try {
+      library.find(PresetKind::kEffect, instance.effect);
+    } catch (const PresetError& error) {
+      found.push_back(
+          {instance.effect_at.file, instance.effect_at.line, instance.effect_at.column, error.what()});
+    }
+  return found;
+}
+
+}  // namespace plume

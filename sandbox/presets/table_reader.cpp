@@ -1,0 +1,474 @@
+#include "sandbox/presets/table_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "renderer/parameters.h"
+#include "sandbox/presets/toml_guard.h"
+
+namespace plume {
+namespace {
+
+constexpr size_t kMaxFileBytes = size_t{4} << 20;
+
+/// Text a user wrote, safe to show on one line.
+std::string printable(std::string_view text, size_t longest = 60) {
+  size_t length = std::min(text.size(), longest);
+  const auto continues = [&](size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; };
+  while (length < text.size() && length > 0 && continues(length)) --length;  // never cut a UTF-8 sequence
+  std::string shown;
+  for (const char c : text.substr(0, length)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F)
+      shown += fmt::format("\\x{:02x}", byte);
+    else
+      shown += c;
+  }
+  return length < text.size() ? shown + "…" : shown;
+}
+
+std::string shown_value(const toml::node& node) {
+  if (const auto* text = node.as_string()) return '"' + printable(text->get()) + '"';
+  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* number = node.as_floating_point()) {
+    const std::string text = fmt::format("{}", number->get());
+    return text.find_first_of(".en") == text.npos ? text + ".0" : text;  // 2.0 is not the integer 2
+  }
+  if (const auto* toggle = node.as_boolean()) return toggle->get() ? "true" : "false";
+  if (const auto* array = node.as_array())
+    return array->size() == 1 ? std::string("a list of 1 value")
+                              : fmt::format("a list of {} values", array->size());
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+std::string limits_text(Limits limits) {
+  return fmt::format("from {} to {}{}{}", limits.min, limits.max, limits.unit.empty() ? "" : " ",
+                     limits.unit);
+}
+
+std::string number_text(Limits limits, bool whole) {
+  return (whole ? "a whole number " : "a number ") + limits_text(limits);
+}
+
+std::string list_text(size_t count, Limits limits, bool whole) {
+  return fmt::format("a list of {} {} {}", count, whole ? "whole numbers" : "numbers", limits_text(limits));
+}
+
+toml::source_position start_of(const toml::node& node) {
+  return node.source().begin;
+}
+
+}  // namespace
+
+TableReader::TableReader(const toml::table& table, std::string name, std::string file,
+                         std::vector<Diagnostic>& found)
+    : table_(table), name_(std::move(name)), file_(std::move(file)), found_(found) {}
+
+void TableReader::report(toml::source_position position, std::string message) {
+  found_.push_back({file_, std::max(1u, position.line), std::max(1u, position.column), std::move(message)});
+}
+
+void TableReader::report(std::string_view key, std::string message) {
+  report(position(key), std::move(message));
+}
+
+toml::source_position TableReader::position(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return start_of(node ? *node : static_cast<const toml::node&>(table_));
+}
+
+const toml::node* TableReader::find(std::string_view key, Need need, const std::string& expected) {
+  known_.emplace_back(key);
+  const toml::node* node = table_.get(key);
+  if (!node && need == Need::kRequired)
+    report(key, fmt::format("missing key `{}`{}, expected {}", key, name_.empty() ? "" : " in " + name_,
+                            expected));
+  return node;
+}
+
+void TableReader::wrong(std::string_view key, const toml::node& node, const std::string& expected) {
+  report(start_of(node), fmt::format("`{}` is {}, expected {}", key, shown_value(node), expected));
+}
+
+bool TableReader::is_array(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return node && node->is_array();
+}
+
+bool TableReader::is_table(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return node && node->is_table();
+}
+
+bool TableReader::read_number(std::string_view key, const toml::node& node, Limits limits, bool whole,
+                              double& value) {
+  double number = 0;
+  if (const auto* integer = node.as_integer())
+    number = static_cast<double>(integer->get());
+  else if (const auto* real = node.as_floating_point(); real && !whole)
+    number = real->get();
+  else
+    return wrong(key, node, number_text(limits, whole)), false;
+  // Written so that NaN fails too.
+  if (!(number >= limits.min && number <= limits.max))
+    return wrong(key, node, number_text(limits, whole)), false;
+  value = number;
+  return true;
+}
+
+bool TableReader::read_numbers(std::string_view key, const toml::node& node, Limits limits, bool whole,
+                               std::span<double> values) {
+  const toml::array* array = node.as_array();
+  if (!array || array->size() != values.size())
+    return wrong(key, node, list_text(values.size(), limits, whole)), false;
+  bool read = true;
+  for (size_t i = 0; i < values.size(); ++i) read &= read_number(key, (*array)[i], limits, whole, values[i]);
+  return read;
+}
+
+bool TableReader::number(std::string_view key, double& value, Limits limits, Need need) {
+  const toml::node* node = find(key, need, number_text(limits, false));
+  return node && read_number(key, *node, limits, false, value);
+}
+
+bool TableReader::number(std::string_view key, float& value, Limits limits, Need need) {
+  double wide = 0;
+  const bool read = number(key, wide, limits, need);
+  if (read) value = static_cast<float>(wide);
+  return read;
+}
+
+bool TableReader::integer(std::string_view key, uint32_t& value, Limits limits, Need need) {
+  const toml::node* node = find(key, need, number_text(limits, true));
+  double wide = 0;
+  const bool read = node && read_number(key, *node, limits, true, wide);
+  if (read) value = static_cast<uint32_t>(wide);
+  return read;
+}
+
+bool TableReader::toggle(std::string_view key, bool& value) {
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const auto* toggle = node->as_boolean();
+  if (!toggle) return wrong(key, *node, "true or false"), false;
+  value = toggle->get();
+  return true;
+}
+
+bool TableReader::text(std::string_view key, std::string& value, Need need) {
+  const std::string expected = need == Need::kRequired ? "a non-empty text in quotes" : "a text in quotes";
+  const toml::node* node = find(key, need, expected);
+  if (!node) return false;
+  const auto* text = node->as_string();
+  if (!text || (need == Need::kRequired && text->get().empty())) return wrong(key, *node, expected), false;
+  value = text->get();
+  return true;
+}
+
+bool TableReader::choice(std::string_view key, uint32_t& value, std::span<const std::string_view> names,
+                         Need need) {
+  const std::string expected = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
+  const toml::node* node = find(key, need, expected);
+  if (!node) return false;
+  const auto* text = node->as_string();
+  const auto name = text ? std::ranges::find(names, text->get()) : names.end();
+  if (name == names.end()) {
+    const std::string near =
+        text ? nearest(text->get(), std::vector<std::string>(names.begin(), names.end())) : std::string();
+    wrong(key, *node, near.empty() ? expected : fmt::format("\"{}\" ({})", near, expected));
+    return false;
+  }
+  value = static_cast<uint32_t>(name - names.begin());
+  return true;
+}
+
+bool TableReader::vector(std::string_view key, glm::vec2& value, Limits limits, Need need) {
+  const toml::node* node = find(key, need, list_text(2, limits, false));
+  std::array<double, 2> v{};
+  const bool read = node && read_numbers(key, *node, limits, false, v);
+  if (read) value = glm::vec2(v[0], v[1]);
+  return read;
+}
+
+bool TableReader::vector(std::string_view key, glm::vec3& value, Limits limits, Need need) {
+  const toml::node* node = find(key, need, list_text(3, limits, false));
+  std::array<double, 3> v{};
+  const bool read = node && read_numbers(key, *node, limits, false, v);
+  if (read) value = glm::vec3(v[0], v[1], v[2]);
+  return read;
+}
+
+bool TableReader::size(std::string_view key, glm::uvec2& value, Limits limits) {
+  const toml::node* node = find(key, Need::kOptional, "");
+  std::array<double, 2> v{};
+  const bool read = node && read_numbers(key, *node, limits, true, v);
+  if (read) value = glm::uvec2(v[0], v[1]);
+  return read;
+}
+
+bool TableReader::read_range(std::string_view key, Limits limits, bool whole, Need need, double& min,
+                             double& max) {
+  const std::string expected = number_text(limits, whole) + ", or [min, max]";
+  const toml::node* node = find(key, need, expected);
+  if (!node) return false;
+  if (!node->is_array()) {
+    if (!node->is_number()) return wrong(key, *node, expected), false;
+    const bool read = read_number(key, *node, limits, whole, min);
+    max = min;
+    return read;
+  }
+  std::array<double, 2> ends{};
+  if (!read_numbers(key, *node, limits, whole, ends)) return false;
+  if (ends[0] > ends[1]) {
+    report(start_of(*node),
+           fmt::format("`{0}` is [{1}, {2}], expected [min, max] with min at most max: [{2}, {1}]", key,
+                       ends[0], ends[1]));
+    return false;
+  }
+  min = ends[0], max = ends[1];
+  return true;
+}
+
+bool TableReader::range(std::string_view key, Range<float>& value, Limits limits, Need need) {
+  double min = 0, max = 0;
+  const bool read = read_range(key, limits, false, need, min, max);
+  if (read) value = {static_cast<float>(min), static_cast<float>(max)};
+  return read;
+}
+
+bool TableReader::range(std::string_view key, Range<uint32_t>& value, Limits limits, Need need) {
+  double min = 0, max = 0;
+  const bool read = read_range(key, limits, true, need, min, max);
+  if (read) value = {static_cast<uint32_t>(min), static_cast<uint32_t>(max)};
+  return read;
+}
+
+bool TableReader::pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
+                        std::vector<std::array<double, 2>>& value) {
+  const std::string expected =
+      fmt::format("a list of at least {} [{}, {}]", at_least, first.name, second.name);
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const toml::array* array = node->as_array();
+  if (!array || array->size() < at_least) return wrong(key, *node, expected), false;
+  std::vector<std::array<double, 2>> rows;
+  bool read = true;
+  for (const toml::node& item : *array) {
+    const toml::array* row = item.as_array();
+    if (!row || row->size() != 2) {
+      wrong(key, item, fmt::format("[{}, {}]", first.name, second.name));
+      read = false;
+      continue;
+    }
+    std::array<double, 2> pair{};
+    const bool has_first = read_number(first.name, (*row)[0], first.limits, first.whole, pair[0]);
+    const bool has_second = read_number(second.name, (*row)[1], second.limits, second.whole, pair[1]);
+    read &= has_first && has_second;
+    if (!has_first) continue;
+    // As float, because that is what curves keep.
+    if (!rows.empty() && static_cast<float>(pair[0]) <= static_cast<float>(rows.back()[0])) {
+      wrong(first.name, (*row)[0], fmt::format("more than {}, the one before it", rows.back()[0]));
+      read = false;
+    }
+    rows.push_back(pair);
+  }
+  if (read) value = std::move(rows);
+  return read;
+}
+
+bool TableReader::curve(std::string_view key, Curve& value, Limits limits) {
+  if (is_array(key)) {
+    std::vector<std::array<double, 2>> rows;
+    if (!pairs(key, {"at", {0, 1}}, {"value", limits}, 1, rows)) return false;
+    value.keys.clear();
+    for (const auto& [at, v] : rows) value.keys.push_back({static_cast<float>(at), static_cast<float>(v)});
+    return true;
+  }
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  if (!node->is_number())
+    return wrong(key, *node, number_text(limits, false) + ", or [[at, value], …]"), false;
+  double constant = 0;
+  const bool read = read_number(key, *node, limits, false, constant);
+  if (read) value = Curve(static_cast<float>(constant));
+  return read;
+}
+
+bool TableReader::gradient(std::string_view key, Gradient& value, Limits limits) {
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const toml::array* array = node->as_array();
+  if (!array || array->empty())
+    return wrong(key, *node, "[r, g, b] or [[at, [r, g, b]], …] with colours " + limits_text(limits)), false;
+  std::array<double, 3> rgb{};
+  if (!array->front().is_array()) {
+    if (!read_numbers(key, *node, limits, false, rgb)) return false;
+    value = Gradient(glm::vec3(rgb[0], rgb[1], rgb[2]));
+    return true;
+  }
+  std::vector<Gradient::Key> keys;
+  bool read = true;
+  for (const toml::node& item : *array) {
+    const toml::array* row = item.as_array();
+    if (!row || row->size() != 2) {
+      wrong(key, item, "[at, [r, g, b]]");
+      read = false;
+      continue;
+    }
+    double at = 0;
+    const bool has_at = read_number("at", (*row)[0], {0, 1}, false, at);
+    read &= read_numbers(key, (*row)[1], limits, false, rgb) && has_at;
+    if (!has_at) continue;
+    if (!keys.empty() && static_cast<float>(at) <= keys.back().at) {
+      wrong("at", (*row)[0], fmt::format("more than {}, the one before it", keys.back().at));
+      read = false;
+    }
+    keys.push_back({static_cast<float>(at), glm::vec3(rgb[0], rgb[1], rgb[2])});
+  }
+  if (read) value = Gradient(std::move(keys));
+  return read;
+}
+
+bool TableReader::ascending(std::string_view key, std::vector<uint32_t>& value, Limits limits,
+                            size_t at_least) {
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const toml::array* array = node->as_array();
+  if (!array || array->size() < at_least)
+    return wrong(key, *node,
+                 fmt::format("a list of at least {} whole numbers {}", at_least, limits_text(limits))),
+           false;
+  std::vector<uint32_t> list;
+  bool read = true;
+  for (const toml::node& item : *array) {
+    double number = 0;
+    if (!read_number(key, item, limits, true, number)) {
+      read = false;
+      continue;
+    }
+    if (!list.empty() && number <= list.back()) {
+      wrong(key, item, fmt::format("more than {}, the one before it", list.back()));
+      read = false;
+    }
+    list.push_back(static_cast<uint32_t>(number));
+  }
+  if (read) value = std::move(list);
+  return read;
+}
+
+bool TableReader::table(std::string_view key, const Read& read, Need need) {
+  const toml::node* node = find(key, need, fmt::format("a table [{}]", key));
+  if (!node) return false;
+  const toml::table* table = node->as_table();
+  if (!table) return wrong(key, *node, fmt::format("a table [{}]", key)), false;
+  TableReader inner(*table, fmt::format("[{}]", key), file_, found_);
+  read(inner);
+  inner.reject_unknown_keys();
+  return true;
+}
+
+void TableReader::tables(std::string_view key, size_t at_most, const Read& read, Need need) {
+  const std::string expected =
+      fmt::format("{} {} tables [[{}]]", need == Need::kRequired ? "1 to" : "at most", at_most, key);
+  if (is_table(key)) {
+    table(key, read);
+    return;
+  }
+  const toml::node* node = find(key, need, expected);
+  if (!node) return;
+  const toml::array* array = node->as_array();
+  if (!array || array->size() > at_most || (array->empty() && need == Need::kRequired)) {
+    wrong(key, *node, expected);
+    return;
+  }
+  for (const toml::node& item : *array) {
+    const toml::table* table = item.as_table();
+    if (!table) {
+      wrong(key, item, fmt::format("a table [[{}]]", key));
+      continue;
+    }
+    TableReader inner(*table, fmt::format("[[{}]]", key), file_, found_);
+    read(inner);
+    inner.reject_unknown_keys();
+  }
+}
+
+std::vector<Setting> TableReader::settings() {
+  std::vector<Setting> settings;
+  for (auto&& [key, node] : table_) {
+    if (std::ranges::find(known_, key.str()) != known_.end()) continue;
+    known_.emplace_back(key.str());
+    const bool finite = !node.is_floating_point() || std::isfinite(node.as_floating_point()->get());
+    if (!finite || !(node.is_number() || node.is_boolean() || node.is_string())) {
+      wrong(printable(key.str()), node, "a finite number, true or false, or a text");
+      continue;
+    }
+    std::string text = node.is_string() ? node.as_string()->get() : shown_value(node);
+    settings.push_back({std::string(key.str()), std::move(text), start_of(node)});
+  }
+  return settings;
+}
+
+void TableReader::reject_unknown_keys() {
+  for (auto&& [key, node] : table_) {
+    if (std::ranges::find(known_, key.str()) != known_.end()) continue;
+    report(key.source().begin,
+           fmt::format("unknown key `{}`{}, {}", printable(key.str()), name_.empty() ? "" : " in " + name_,
+                       suggestion(key.str(), known_)));
+  }
+}
+
+std::string load_text(const std::filesystem::path& path) {
+  const auto fail = [&](std::string message) {
+    throw FileErrors({{path.string(), 1, 1, std::move(message)}});
+  };
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail("there is no such file, expected a TOML file");
+  if (std::filesystem::is_directory(status)) fail("this is a folder, expected a TOML file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) fail("cannot be opened, expected a TOML file you may read");
+  std::string text(kMaxFileBytes + 1, '\0');  // one byte more than allowed tells a file that is too long
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) fail("cannot be read, expected a TOML file you may read");
+  text.resize(static_cast<size_t>(in.gcount()));
+  return text;
+}
+
+void read_document(std::string_view text, const std::string& file, const TableReader::Read& read) {
+  std::vector<Diagnostic> found;
+  const auto fail = [&](uint32_t line, uint32_t column, std::string message) {
+    throw FileErrors({{file, std::max(1u, line), std::max(1u, column), std::move(message)}});
+  };
+  if (text.size() > kMaxFileBytes) fail(1, 1, "the file is larger than 4 MiB, expected at most 4 MiB");
+  if (text.find_first_not_of(" \t\r\n") == text.npos)
+    fail(1, 1, "the file is empty, expected the keys of an effect, a scene or a replay");
+  if (const auto refusal = refuse_toml(text)) fail(refusal->line, refusal->column, refusal->message);
+
+  toml::table document;
+  try {
+    document = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    fail(
+        error.source().begin.line, error.source().begin.column,
+        fmt::format("not TOML: {}, expected a valid TOML 1.0 document", printable(error.description(), 200)));
+  }
+  TableReader top(document, "", file, found);
+  read(top);
+  top.reject_unknown_keys();
+  if (found.empty()) return;
+  std::ranges::stable_sort(found, {}, [](const Diagnostic& d) { return std::pair(d.line, d.column); });
+  throw FileErrors(std::move(found));
+}
+
+std::string preset_id(const std::string& file) {
+  return std::filesystem::path(file).stem().string();
+}
+
+}  // namespace plume

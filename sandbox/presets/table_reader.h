@@ -1,0 +1,135 @@
+// Reads typed values out of a TOML document. A mistake is recorded and reading goes on, so one pass finds
+// them all; every message says what would be right. A key that nobody asked for is a mistake, so nothing a
+// user writes is ignored.
+#ifndef PLUME_PRESETS_TABLE_READER_H
+#define PLUME_PRESETS_TABLE_READER_H
+
+// Presets nest 4 deep; the parser recurses on values and on destruction.
+#define TOML_MAX_NESTED_VALUES 16
+// toml++ 3.3 asserts, or with NDEBUG assumes, that a key follows "[["; on "[[#" that is an abort or undefined
+// behaviour. Without the assertion it reports a syntax error.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(condition) static_cast<void>(0)
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sandbox/effects/effect.h"
+#include "sandbox/presets/diagnostics.h"
+
+namespace plume {
+
+/// Inclusive limits of a number and its unit ("" where it has none).
+struct Limits {
+  double min, max;
+  std::string_view unit = "";
+};
+
+enum class Need { kOptional, kRequired };
+
+/// One column of a list of pairs, such as the tick and the count of a burst.
+struct Column {
+  std::string_view name;
+  Limits limits;
+  bool whole = false;  ///< integers only
+};
+
+/// One key of a table whose keys are not known in advance, its value as text.
+struct Setting {
+  std::string key, value;
+  toml::source_position position;
+};
+
+/// A table being read. A reading function leaves `value` as it is when the key is absent or wrong, and
+/// returns whether it was read. Readers of sub-tables exist only inside the callback that receives them.
+class TableReader {
+ public:
+  TableReader(const toml::table& table, std::string name, std::string file, std::vector<Diagnostic>& found);
+
+  bool has(std::string_view key) const { return table_.contains(key); }
+  bool is_array(std::string_view key) const;
+  bool is_table(std::string_view key) const;
+
+  bool number(std::string_view key, float& value, Limits limits, Need need = Need::kOptional);
+  bool number(std::string_view key, double& value, Limits limits, Need need = Need::kOptional);
+  bool integer(std::string_view key, uint32_t& value, Limits limits, Need need = Need::kOptional);
+  bool toggle(std::string_view key, bool& value);
+  bool text(std::string_view key, std::string& value, Need need = Need::kOptional);
+  /// Index into `names`.
+  bool choice(std::string_view key, uint32_t& value, std::span<const std::string_view> names,
+              Need need = Need::kOptional);
+  /// `names` in the order of the enumerators, which count from 0.
+  template <class Enum>
+  bool choice(std::string_view key, Enum& value, std::span<const std::string_view> names,
+              Need need = Need::kOptional) {
+    uint32_t index = static_cast<uint32_t>(value);
+    const bool read = choice(key, index, names, need);
+    value = static_cast<Enum>(index);
+    return read;
+  }
+  bool vector(std::string_view key, glm::vec2& value, Limits limits, Need need = Need::kOptional);
+  bool vector(std::string_view key, glm::vec3& value, Limits limits, Need need = Need::kOptional);
+  bool size(std::string_view key, glm::uvec2& value, Limits limits);
+  bool range(std::string_view key, Range<float>& value, Limits limits, Need need = Need::kOptional);
+  bool range(std::string_view key, Range<uint32_t>& value, Limits limits, Need need = Need::kOptional);
+  /// A number or [[at, value], …].
+  bool curve(std::string_view key, Curve& value, Limits limits);
+  /// [r, g, b] or [[at, [r, g, b]], …].
+  bool gradient(std::string_view key, Gradient& value, Limits limits);
+  /// Integers that ascend strictly.
+  bool ascending(std::string_view key, std::vector<uint32_t>& value, Limits limits, size_t at_least = 0);
+  /// [[first, second], …] where the first column ascends strictly.
+  bool pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
+             std::vector<std::array<double, 2>>& value);
+  using Read = std::function<void(TableReader&)>;
+  bool table(std::string_view key, const Read& read, Need need = Need::kOptional);
+  /// [[key]] tables; a single [key] counts as one. Calls `read` for each, in order.
+  void tables(std::string_view key, size_t at_most, const Read& read, Need need = Need::kOptional);
+  /// Every key not asked for so far; each must be a number, a bool or a string.
+  std::vector<Setting> settings();
+
+  /// Records a mistake at the value of `key`, or at the table when it has no such key.
+  void report(std::string_view key, std::string message);
+  void report(toml::source_position position, std::string message);
+  toml::source_position position(std::string_view key) const;
+  size_t mistakes() const { return found_.size(); }
+
+ private:
+  friend void read_document(std::string_view text, const std::string& file, const Read& read);
+  const toml::node* find(std::string_view key, Need need, const std::string& expected);
+  void wrong(std::string_view key, const toml::node& node, const std::string& expected);
+  bool read_number(std::string_view key, const toml::node& node, Limits limits, bool whole, double& value);
+  bool read_numbers(std::string_view key, const toml::node& node, Limits limits, bool whole,
+                    std::span<double> values);
+  bool read_range(std::string_view key, Limits limits, bool whole, Need need, double& min, double& max);
+  void reject_unknown_keys();
+
+  const toml::table& table_;
+  std::string name_;  // for messages, "" for the file itself
+  std::string file_;
+  std::vector<Diagnostic>& found_;
+  std::vector<std::string> known_;
+};
+
+/// The text of a file of at most 4 MiB; throws FileErrors when it cannot be read.
+std::string load_text(const std::filesystem::path& path);
+
+/// Parses `text` and hands its top table to `read`; throws FileErrors with everything wrong, in the order of
+/// the file. A syntax error ends reading at once, because toml++ cannot go on after one.
+void read_document(std::string_view text, const std::string& file, const TableReader::Read& read);
+
+/// The id of the preset in a file: its name without folder and extension.
+std::string preset_id(const std::string& file);
+
+}  // namespace plume
+#endif

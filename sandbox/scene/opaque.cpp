@@ -1,0 +1,58 @@
+#include "sandbox/scene/opaque.h"
+
+#include <cmath>
+
+#include "shaders/shared/solid.h"
+
+namespace plume {
+namespace {
+
+shared::SolidData solid_data(const Solid& solid) {
+  const float yaw = glm::radians(solid.yaw_deg);
+  const bool round = solid.kind == SolidKind::kSphere || solid.kind == SolidKind::kCapsule;
+  return {.position = solid.position,
+          .kind = uint32_t(solid.kind),
+          .end = solid.kind == SolidKind::kCapsule ? solid.end : solid.position,
+          .material = uint32_t(solid.material),
+          .half_size = solid.size_m * 0.5f,
+          .radius = round ? solid.radius_m : 0.0f,
+          .color = solid.color,
+          .yaw_sin = std::sin(yaw),
+          .yaw_cos = std::cos(yaw)};
+}
+
+}  // namespace
+
+OpaqueScene::OpaqueScene(gpu::Device& device, const std::vector<Solid>& solids) : count_(uint32_t(solids.size())) {
+  std::vector<shared::SolidData> data;
+  for (const Solid& solid : solids) data.push_back(solid_data(solid));
+  if (data.empty()) data.push_back({});   // a descriptor needs something to point at
+  solids_ = gpu::make_buffer(device, "scene", "solids", data);
+}
+
+void OpaqueScene::record(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const {
+  frame.pass("opaque", [&](gpu::Pass& pass) {
+    const gpu::Area area{targets.size.x, targets.size.y};
+    pass.draw({.vertex = "post/fullscreen.vert",
+               .fragment = "opaque/sky.frag",
+               .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = {}}},
+               .area = area,
+               .constants = {},
+               .bindings = {{"View", &view}}},
+              0u);
+    pass.draw({.vertex = "opaque/solid.vert",
+               .fragment = "opaque/solid.frag",
+               .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = {}}},
+               .depth = &targets.opaque_depth,
+               .depth_use = gpu::DepthUse::kTestAndWrite,
+               .clear_depth = true,
+               .area = area,
+               .constants = {},
+               .bindings = {{"View", &view}, {"Solids", &solids_}},
+               .vertices = shared::kSolidVertices,
+               .instances = count_},
+              0u);
+  });
+}
+
+}  // namespace plume

@@ -1,0 +1,21 @@
+// The opaque image of a scene: sky and solids, with depth.
+#ifndef PLUME_SCENE_OPAQUE_H
+#define PLUME_SCENE_OPAQUE_H
+
+#include "renderer/frame.h"
+#include "sandbox/scene/scene.h"
+
+namespace plume {
+
+class OpaqueScene {
+ public:
+  OpaqueScene(gpu::Device& device, const std::vector<Solid>& solids);
+  void record(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const;
+
+ private:
+  gpu::Buffer solids_;
+  uint32_t count_;
+};
+
+}  // namespace plume
+#endif

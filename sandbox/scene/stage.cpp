@@ -1,0 +1,85 @@
+#include "sandbox/scene/stage.h"
+
+#include <numeric>
+
+#include "sandbox/effects/puff_textures.h"
+#include "sandbox/scene/pane_card.h"
+#include "sandbox/scene/view.h"
+
+namespace plume {
+namespace {
+
+constexpr uint32_t kTextureSeed = 1;   // one set of puffs for all scenes: the look of an effect does not depend on where it is
+
+}  // namespace
+
+Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene)
+    : device_(device),
+      pipelines_(pipelines),
+      scene_(std::move(scene)),
+      puffs_(make_puff_textures(device, pipelines, kTextureSeed)),
+      opaque_(device, scene_.solids),
+      view_(device, {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}) {
+  std::vector<Call> calls;
+  for (const Instance& instance : scene_.instances) {
+    if (!instance.call_tick) continue;
+    auto [effect, added] = effects_.try_emplace(instance.effect);
+    if (added) effect->second = library.effect(instance.effect);
+    calls.push_back({.name = instance.name,
+                     .effect = &effect->second,
+                     .tick = *instance.call_tick,
+                     .position = instance.position,
+                     .yaw_deg = instance.yaw_deg,
+                     .seed = instance.seed});
+  }
+  simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind);
+  for (const Pane& pane : scene_.panes) panes_.push_back(pane_card(pane));
+}
+
+void Stage::fit_cards(uint32_t count) {
+  if (!cards_ || count > capacity_) {
+    capacity_ = std::max(count + count / 4, 64u);
+    cards_ = gpu::Buffer(device_, {.owner = "scene", .label = "cards", .bytes = uint64_t(capacity_) * sizeof(shared::Card)});
+    order_ = gpu::Buffer();
+  }
+  transparents_ = {.cards = &cards_, .order = &order_, .puffs = &puffs_, .view = &view_, .count = count};
+}
+
+void Stage::set_draw_order(const std::vector<uint32_t>& order) {
+  order_ = gpu::make_buffer(device_, "scene", "order", order);
+}
+
+std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera) {
+  auto times = simulation_->go_to(tick);
+  view_.mapped<shared::ViewData>()[0] =
+      make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick);
+  fit_cards(uint32_t(panes_.size()) + simulation_->cards());
+  std::vector<uint32_t> identity(std::max(capacity_, 1u));
+  std::iota(identity.begin(), identity.end(), 0u);
+  set_draw_order(identity);
+  return times;
+}
+
+Prelude Stage::prelude() const {
+  return [this](gpu::Frame& frame, const Targets& targets) {
+    frame.pass("cards", [&](gpu::Pass& pass) {
+      if (!panes_.empty()) pass.update(cards_, std::span<const shared::Card>(panes_));
+      simulation_->record_cards(pass, view_, cards_, uint32_t(panes_.size()));
+    });
+    opaque_.record(frame, targets, view_);
+  };
+}
+
+std::vector<InstanceDemand> Stage::demand() const {
+  const auto called = simulation_->demand();
+  std::vector<InstanceDemand> result;
+  for (size_t i = 0, next = 0; i < scene_.instances.size(); ++i) {
+    if (scene_.instances[i].call_tick)
+      result.push_back(called[next++]);
+    else
+      result.push_back({.name = scene_.instances[i].name, .why = "not called"});
+  }
+  return result;
+}
+
+}  // namespace plume

@@ -1,0 +1,49 @@
+// A scene on the GPU at a tick: what stands, what moves, and what the renderer draws of it.
+#ifndef PLUME_SCENE_STAGE_H
+#define PLUME_SCENE_STAGE_H
+
+#include "renderer/frame.h"
+#include "sandbox/effects/simulation.h"
+#include "sandbox/presets/library.h"
+#include "sandbox/scene/opaque.h"
+#include "shaders/shared/card.h"
+
+namespace plume {
+
+class Stage {
+ public:
+  /// Reads the effects the scene calls. Throws what the library throws, and DeviceFailure.
+  Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene);
+
+  /// Simulates to `tick` and looks from `camera` (nothing: the scene's own).
+  std::vector<gpu::PassTime> go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera = {});
+  /// Passes that come before the method's: cards from particles, the opaque image.
+  Prelude prelude() const;
+  const Transparents& transparents() const { return transparents_; }
+
+  /// The order in which cards are drawn: a permutation of 0 .. transparents().count - 1. Reset by go_to().
+  void set_draw_order(const std::vector<uint32_t>& order);
+
+  const Scene& scene() const { return scene_; }
+  const Simulation& simulation() const { return *simulation_; }
+  /// Called and uncalled instances, in the order of the scene.
+  std::vector<InstanceDemand> demand() const;
+
+ private:
+  void fit_cards(uint32_t count);
+
+  gpu::Device& device_;
+  gpu::Pipelines& pipelines_;
+  Scene scene_;
+  std::map<std::string, Effect> effects_;
+  gpu::Image puffs_;
+  OpaqueScene opaque_;
+  std::optional<Simulation> simulation_;
+  std::vector<shared::Card> panes_;
+  gpu::Buffer view_, cards_, order_;
+  uint32_t capacity_ = 0;
+  Transparents transparents_;
+};
+
+}  // namespace plume
+#endif

@@ -1,0 +1,21 @@
+// Which emitter and birth a thread stands for: the spans of all awake emitters follow each other.
+#ifndef PLUME_EFFECTS_SPANS_GLSL
+#define PLUME_EFFECTS_SPANS_GLSL
+#include "shared/particle.h"
+
+layout(scalar, binding = 1) readonly buffer Spans { Span spans[]; };
+layout(scalar, binding = 2) readonly buffer Emitters { EmitterData emitters[]; };
+
+Span span_of(uint thread, uint span_count) {
+  uint low = 0u, high = span_count;   // the last span whose offset is <= thread
+  while (high - low > 1u) {
+    const uint middle = (low + high) / 2u;
+    if (spans[middle].offset <= thread) low = middle;
+    else high = middle;
+  }
+  return spans[low];
+}
+
+uint slot_of(Span span, uint birth) { return span.base + birth % span.capacity; }
+
+#endif

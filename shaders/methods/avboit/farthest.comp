@@ -1,0 +1,21 @@
+// The farthest opaque depth of each cell (reversed depth: the least), against which the splat is tested and feathered: a nearer
+// texel would lose smoke that other pixels of the cell see.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "methods/avboit/volume.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(scalar, binding = 8) uniform VolumeBlock { Volume volume; };
+layout(binding = 9) uniform sampler2D opaque_depth;
+layout(binding = 10, r32f) writeonly uniform image2D farthest;
+
+void main() {
+  const uvec2 cell = gl_GlobalInvocationID.xy;
+  if (any(greaterThanEqual(cell, volume.cells))) return;
+  const ivec2 last = textureSize(opaque_depth, 0) - 1;
+  float depth = 1.0;
+  for (uint y = 0u; y < volume.divisor; ++y)
+    for (uint x = 0u; x < volume.divisor; ++x)
+      depth = min(depth, texelFetch(opaque_depth, min(ivec2(cell * volume.divisor + uvec2(x, y)), last), 0).r);
+  imageStore(farthest, ivec2(cell), vec4(depth));
+}

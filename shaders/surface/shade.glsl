@@ -1,0 +1,72 @@
+// What a transparent fragment is, for every method alike: shade() is all they share, and what they do with it is the method.
+//
+// A texel of the puff textures holds (optical depth / kTextureDepth, normal u, normal v, openness); see effects/puff.comp.
+// Coverage is 1 - exp(-tau); a fragment lets 1 - coverage * (1 - transmission) of the light behind it pass, per channel.
+#ifndef PLUME_SURFACE_SHADE_GLSL
+#define PLUME_SURFACE_SHADE_GLSL
+
+#include "surface/texture_depth.h"
+#include "shared/view.h"
+
+layout(scalar, binding = 0) uniform View { ViewData view; };
+layout(binding = 3) uniform sampler2DArray puffs;
+layout(binding = 4) uniform sampler2D opaque_depth;   // reversed depth of the opaque image, at this pass's resolution
+
+layout(location = 0) in vec3 v_uv_depth;
+layout(location = 1) flat in vec4 v_sunlit;
+layout(location = 2) flat in vec4 v_ambient;
+layout(location = 3) flat in vec4 v_emission;
+layout(location = 4) flat in vec4 v_transmission;
+layout(location = 5) flat in vec3 v_light;
+layout(location = 6) flat in uvec3 v_layers_id;
+
+struct Fragment {
+  vec3 color;          // premultiplied by coverage
+  vec3 emission;       // radiance added whatever the coverage
+  float coverage;      // alpha, 0..1
+  vec3 transmission;   // share of light passed where covered
+  float depth;         // view depth, m
+  uint id;             // card index: breaks ties of depth
+};
+
+vec4 puff_texel() {
+  const vec2 uv = v_uv_depth.xy * 0.5 + 0.5;
+  const vec4 a = textureLod(puffs, vec3(uv, float(v_layers_id.x)), 0.0);
+  const vec4 b = textureLod(puffs, vec3(uv, float(v_layers_id.y)), 0.0);
+  return mix(a, b, v_sunlit.a);
+}
+
+// 1 far in front of the opaque surface, 0 on it.
+float feather() {
+  const float opaque = texelFetch(opaque_depth, ivec2(gl_FragCoord.xy), 0).r;   // near_m / view depth; 0 = sky
+  const float gap = view.near_m / max(opaque, 1e-9) - v_uv_depth.z;
+  return v_emission.a > 0.0 ? clamp(gap * v_emission.a, 0.0, 1.0) : 1.0;
+}
+
+// Share of the card's optical depth here, relative to its mean.
+float density(vec4 texel) { return texel.r * kTextureDepth * feather(); }
+
+float coverage_of(float density_here) { return 1.0 - exp(-v_ambient.a * density_here); }
+
+// tau of the fragment for methods that know one transmittance only: the mean of the three.
+float gray_coverage(Fragment f) { return f.coverage * (1.0 - dot(f.transmission, vec3(1.0 / 3.0))); }
+
+vec3 transmittance(Fragment f) { return 1.0 - f.coverage * (1.0 - f.transmission); }
+
+Fragment shade() {
+  const vec4 texel = puff_texel();
+  const float density_here = density(texel);
+  const vec2 slope = texel.gb * 2.0 - 1.0;
+  const vec3 normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
+  const float wrap = clamp(dot(normal, v_light) * 0.5 + 0.5, 0.0, 1.0);
+  Fragment f;
+  f.coverage = coverage_of(density_here);
+  f.color = f.coverage * (v_sunlit.rgb * (wrap * wrap) + v_ambient.rgb * texel.a);
+  f.emission = v_emission.rgb * min(density_here, 2.0);
+  f.transmission = v_transmission.rgb;
+  f.depth = v_uv_depth.z;
+  f.id = v_layers_id.z;
+  return f;
+}
+
+#endif

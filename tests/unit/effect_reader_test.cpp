@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/read_effect.h"
+
+namespace plume {
+namespace {
+
+/// Every key an effect can have.
+constexpr std::string_view kEveryKey = R"(
+name = "Every key"
+description = "What an effect can say."
+
+[[emitter]]
+name = "body"
+
+[emitter.spawn]
+rate = [[0, 0], [30, 90.5], [60, 0]]
+bursts = [[0, 40], [10, 5]]
+life = [60, 90]
+
+[emitter.shape]
+kind = "cone"
+radius_m = 0.25
+thickness = 0.5
+angle_deg = 20
+offset_m = [0, 0.1, 0]
+
+[emitter.motion]
+speed = [1, 2.5]
+velocity = [0, 1, 0]
+gravity = -0.1
+drag = 0.8
+wind = 0.5
+buoyancy = 1.2
+cooling_s = 2.5
+floor_y = 0.05
+curl = { strength = 1.5, scale_m = 2, speed = 0.2, octaves = 3 }
+vortex = { strength = -2, radius_m = 0.75, pull = 0.3 }
+
+[emitter.look]
+texture = "soft"
+radius_m = [[0, 0.2], [1, 1.4]]
+radius_scale = [0.8, 1.2]
+cross_section_m2 = 0.35
+fade = [[0, 0], [0.1, 1], [1, 0]]
+lit = true
+color = [0.5, 0.6, 0.7]
+emission = [[0, [9, 4, 1]], [0.3, [0, 0, 0]]]
+feather_m = 0.3
+camera_offset_m = 1.5
+flipbook_fps = 12
+spin_deg_s = [-30, 30]
+stretch_s = 0.02
+
+[[emitter]]
+name = "glow"
+spawn = { rate = 60, duration = 30, life = 20 }
+shape = { kind = "box", size_m = [1, 0, 2] }
+look = { texture = "disc", opacity = [[0, 1], [1, 0]], lit = false, color = [8, 4, 1] }
+)";
+
+TEST(EffectReader, ReadsEveryKey) {
+  const Effect effect = read_effect_text(kEveryKey, "some/where/every_key.toml");
+  EXPECT_EQ(effect.id, "every_key");
+  EXPECT_EQ(effect.name, "Every key");
+  EXPECT_EQ(effect.description, "What an effect can say.");
+  ASSERT_EQ(effect.emitters.size(), 2u);
+
+  const Emitter& body = effect.emitters[0];
+  EXPECT_EQ(body.name, "body");
+  ASSERT_EQ(body.spawn.rate.size(), 3u);
+  EXPECT_EQ(body.spawn.rate[1].tick, 30u);
+  EXPECT_EQ(body.spawn.rate[1].per_second, 90.5);
+  ASSERT_EQ(body.spawn.bursts.size(), 2u);
+  EXPECT_EQ(body.spawn.bursts[1].tick, 10u);
+  EXPECT_EQ(body.spawn.bursts[1].count, 5u);
+  EXPECT_EQ(body.spawn.life_ticks.min, 60u);
+  EXPECT_EQ(body.spawn.life_ticks.max, 90u);
+  EXPECT_EQ(body.shape.kind, ShapeKind::kCone);
+  EXPECT_EQ(body.shape.radius_m, 0.25f);
+  EXPECT_EQ(body.shape.thickness, 0.5f);
+  EXPECT_EQ(body.shape.angle_deg, 20.0f);
+  EXPECT_EQ(body.shape.offset_m, glm::vec3(0, 0.1f, 0));
+  EXPECT_EQ(body.motion.speed.max, 2.5f);
+  EXPECT_EQ(body.motion.velocity, glm::vec3(0, 1, 0));
+  EXPECT_EQ(body.motion.gravity, -0.1f);
+  EXPECT_EQ(body.motion.drag, 0.8f);
+  EXPECT_EQ(body.motion.wind, 0.5f);
+  EXPECT_EQ(body.motion.buoyancy, 1.2f);
+  EXPECT_EQ(body.motion.cooling_s, 2.5f);
+  EXPECT_EQ(body.motion.floor_y, 0.05f);
+  EXPECT_EQ(body.motion.curl.strength, 1.5f);
+  EXPECT_EQ(body.motion.curl.scale_m, 2.0f);
+  EXPECT_EQ(body.motion.curl.speed, 0.2f);
+  EXPECT_EQ(body.motion.curl.octaves, 3u);
+  EXPECT_EQ(body.motion.vortex.strength, -2.0f);
+  EXPECT_EQ(body.motion.vortex.radius_m, 0.75f);
+  EXPECT_EQ(body.motion.vortex.pull, 0.3f);
+  EXPECT_EQ(body.look.texture, TextureKind::kSoft);
+  EXPECT_FLOAT_EQ(body.look.radius_m.at(0.5f), 0.8f);
+  EXPECT_EQ(body.look.radius_scale.min, 0.8f);
+  EXPECT_EQ(body.look.cross_section_m2, 0.35f);
+  EXPECT_FALSE(body.look.opacity.has_value());
+  EXPECT_EQ(body.look.fade.keys.size(), 3u);
+  EXPECT_TRUE(body.look.lit);
+  EXPECT_EQ(body.look.color.at(1), glm::vec3(0.5f, 0.6f, 0.7f));
+  EXPECT_EQ(body.look.emission.at(0), glm::vec3(9, 4, 1));
+  EXPECT_EQ(body.look.feather_m, 0.3f);
+  EXPECT_EQ(body.look.camera_offset_m, 1.5f);
+  EXPECT_EQ(body.look.flipbook_fps, 12.0f);
+  EXPECT_EQ(body.look.spin_deg_s.min, -30.0f);
+  EXPECT_EQ(body.look.stretch_s, 0.02f);
+
+  const Emitter& glow = effect.emitters[1];
+  ASSERT_EQ(glow.spawn.rate.size(), 2u);
+  EXPECT_EQ(glow.spawn.rate[0].tick, 0u);
+  EXPECT_EQ(glow.spawn.rate[1].tick, 30u);
+  EXPECT_EQ(glow.spawn.rate[1].per_second, 60.0);
+  EXPECT_EQ(glow.spawn.life_ticks.min, 20u);
+  EXPECT_EQ(glow.shape.size_m, glm::vec3(1, 0, 2));
+  EXPECT_EQ(glow.look.texture, TextureKind::kDisc);
+  EXPECT_EQ(glow.look.opacity->at(0.5f), 0.5f);
+  EXPECT_FALSE(glow.look.cross_section_m2.has_value());
+  EXPECT_FALSE(glow.look.lit);
+  EXPECT_EQ(glow.look.color.at(0), glm::vec3(8, 4, 1));
+}
+
+TEST(EffectReader, ReadsEveryShapeAndTexture) {
+  const std::string head = "name = 'x'\n[[emitter]]\nname = 'e'\nspawn = {bursts = [[0, 1]], life = 1}\n";
+  const std::pair<const char*, ShapeKind> shapes[] = {
+      {"kind = 'point'", ShapeKind::kPoint},
+      {"kind = 'sphere', radius_m = 1", ShapeKind::kSphere},
+      {"kind = 'hemisphere', radius_m = 1", ShapeKind::kHemisphere},
+      {"kind = 'box', size_m = [1, 1, 1]", ShapeKind::kBox},
+      {"kind = 'cone', angle_deg = 1", ShapeKind::kCone},
+      {"kind = 'ring', radius_m = 1", ShapeKind::kRing}};
+  for (const auto& [shape, kind] : shapes) {
+    const std::string text = head + "shape = {" + shape + "}\nlook = {opacity = 1}\n";
+    EXPECT_EQ(read_effect_text(text, "x.toml").emitters[0].shape.kind, kind);
+  }
+  const std::pair<const char*, TextureKind> textures[] = {
+      {"puff", TextureKind::kPuff}, {"disc", TextureKind::kDisc}, {"soft", TextureKind::kSoft}};
+  for (const auto& [name, kind] : textures) {
+    const std::string text = head + "look = {opacity = 1, texture = '" + name + "'}\n";
+    EXPECT_EQ(read_effect_text(text, "x.toml").emitters[0].look.texture, kind);
+  }
+}
+
+TEST(EffectReader, AcceptsExactlyAsManyAliveAsFit) {
+  const auto read = [](uint32_t count) {
+    read_effect_text(
+        "name = 'x'\n[[emitter]]\nname = 'e'\nlook.opacity = 1\nspawn = {life = 9, bursts = [[0, 3999999], "
+        "[8, " +
+            std::to_string(count) + "]]}\n",
+        "x.toml");
+  };
+  EXPECT_NO_THROW(read(1));
+  EXPECT_THROW(read(2), FileErrors);
+}
+
+TEST(EffectReader, NamesTheFileInEveryDiagnostic) {
+  try {
+    read_effect_text("nam = 1", "some/file.toml");
+    FAIL() << "expected FileErrors";
+  } catch (const FileErrors& errors) {
+    ASSERT_EQ(errors.diagnostics().size(), 3u);
+    for (const Diagnostic& diagnostic : errors.diagnostics()) EXPECT_EQ(diagnostic.file, "some/file.toml");
+    EXPECT_NE(std::string(errors.what()).find("some/file.toml:1:1: unknown key `nam`, did you mean `name`?"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace plume

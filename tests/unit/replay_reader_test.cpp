@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "renderer/methods/method.h"
+#include "renderer/methods/methods.h"
+#include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/read_replay.h"
+
+namespace plume {
+namespace {
+
+/// Every key a replay can have, but for the settings of methods.
+constexpr std::string_view kEveryKey = R"(
+name = "Every key"
+scene = "street"
+seed = 9
+size = [1280, 720]
+ticks = { first = 10, last = 31, step = 10 }
+frames = 5
+warmup = 2
+
+[[camera]]
+tick = 0
+position = [0, 1, 5]
+target = [0, 1, 0]
+vertical_fov_deg = 60
+
+[[method]]
+id = "avboit"
+[[method]]
+id = "wboit"
+
+[capture]
+ticks = [20, 30]
+images = false
+error_maps = false
+hdr = true
+)";
+
+constexpr std::string_view kHead = "name = 'x'\nscene = 's'\nticks = [0]\n";
+
+TEST(ReplayReader, ReadsEveryKey) {
+  const Replay replay = read_replay_text(kEveryKey, "a/every_key.toml");
+  EXPECT_EQ(replay.id, "every_key");
+  EXPECT_EQ(replay.name, "Every key");
+  EXPECT_EQ(replay.scene, "street");
+  EXPECT_EQ(replay.scene_at.line, 3u);
+  EXPECT_EQ(replay.scene_at.column, 9u);
+  EXPECT_EQ(replay.seed, 9u);
+  EXPECT_EQ(replay.size, glm::uvec2(1280, 720));
+  EXPECT_EQ(replay.ticks, (std::vector<uint32_t>{10, 20, 30}));
+  EXPECT_EQ(replay.frames, 5u);
+  EXPECT_EQ(replay.warmup, 2u);
+  ASSERT_EQ(replay.camera.size(), 1u);
+  EXPECT_EQ(replay.camera[0].vertical_fov_deg, 60.0f);
+  ASSERT_EQ(replay.methods.size(), 2u);
+  EXPECT_EQ(replay.methods[0].id, "avboit");
+  EXPECT_EQ(replay.methods[1].id, "wboit");
+  EXPECT_EQ(replay.capture.ticks, (std::vector<uint32_t>{20, 30}));
+  EXPECT_FALSE(replay.capture.images);
+  EXPECT_FALSE(replay.capture.error_maps);
+  EXPECT_TRUE(replay.capture.hdr);
+}
+
+TEST(ReplayReader, LeavesWhatIsNotSaidAtItsDefault) {
+  const Replay replay = read_replay_text(std::string(kHead) + "[[method]]\nid = 'wboit'\n", "x.toml");
+  EXPECT_FALSE(replay.seed.has_value());
+  EXPECT_EQ(replay.size, Replay{}.size);
+  EXPECT_TRUE(replay.camera.empty());
+  EXPECT_TRUE(replay.capture.ticks.empty());
+}
+
+TEST(ReplayReader, TakesEveryParameterOfEveryMethodAtItsDefault) {
+  for (const std::string& id : method_ids()) {
+    const nlohmann::json list = parameter_list(*make_method(id));
+    std::string text = std::string(kHead) + "[[method]]\nid = '" + id + "'\n";
+    for (const auto& parameter : list)
+      text += parameter["name"].get<std::string>() + " = " + parameter["value"].dump() + "\n";
+    const MethodRun run = read_replay_text(text, "x.toml").methods.at(0);
+    EXPECT_EQ(run.settings.size(), list.size()) << id;
+    for (const auto& parameter : list) {
+      const std::string name = parameter["name"];
+      const std::string value =
+          parameter["value"].is_string() ? parameter["value"].get<std::string>() : parameter["value"].dump();
+      // 1.0 in the file is the number 1, and may be kept as either.
+      if (parameter["type"] == "number")
+        EXPECT_EQ(std::stod(run.settings.at(name)), parameter["value"].get<double>()) << id << "." << name;
+      else
+        EXPECT_EQ(run.settings.at(name), value) << id << "." << name;
+    }
+  }
+}
+
+TEST(ReplayReader, RejectsEveryParameterOfEveryMethodBeyondItsRange) {
+  for (const std::string& id : method_ids())
+    for (const auto& parameter : parameter_list(*make_method(id))) {
+      const bool ranged = parameter.contains("max");
+      const std::string wrong =
+          ranged ? std::to_string(parameter["max"].get<double>() + 1) : "'certainly not'";
+      const std::string text = std::string(kHead) + "[[method]]\nid = '" + id + "'\n" +
+                               parameter["name"].get<std::string>() + " = " + wrong + "\n";
+      try {
+        read_replay_text(text, "x.toml");
+        FAIL() << text;
+      } catch (const FileErrors& errors) {
+        ASSERT_EQ(errors.diagnostics().size(), 1u);
+        EXPECT_EQ(errors.diagnostics()[0].line, 6u);
+        EXPECT_NE(errors.diagnostics()[0].message.find(", expected "), std::string::npos);
+      }
+    }
+}
+
+TEST(ReplayReader, RejectsAFractionForEveryIntegerParameter) {
+  for (const std::string& id : method_ids())
+    for (const auto& parameter : parameter_list(*make_method(id))) {
+      if (parameter["type"] != "integer") continue;
+      const std::string text = std::string(kHead) + "[[method]]\nid = '" + id + "'\n" +
+                               parameter["name"].get<std::string>() + " = " + parameter["value"].dump() +
+                               ".0\n";
+      EXPECT_THROW(read_replay_text(text, "x.toml"), FileErrors) << text;
+    }
+}
+
+}  // namespace
+}  // namespace plume
