@@ -45,7 +45,7 @@ FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const T
   for (;; ++report.redraws) {
     Method& method = *instance.method;
     const Needs needs = method.needs(targets.size, transparents.count);
-    instance.resources.fit(device, std::string(method.id()), needs, targets.size);
+    instance.resources.fit(device, instance.owner, needs, targets.size);
 
     gpu::Frame frame(device, pipelines);
     prelude(frame, targets);

@@ -20,6 +20,7 @@ struct Targets {
 /// A method with its resources: what one view of a comparison owns.
 struct MethodInstance {
   std::unique_ptr<Method> method;
+  std::string owner;   ///< account of its memory: unique where the same method runs twice with other settings
   Resources resources;
 };
 

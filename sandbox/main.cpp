@@ -1,25 +1,61 @@
+// Arguments to one command, and every way to fail to its exit code.
+#include <fmt/format.h>
+
 #include <cstdio>
-#include "sandbox/scene/stage.h"
-#include "renderer/methods/methods.h"
-#include "sandbox/measure/image_io.h"
-using namespace plume;
+
+#include "renderer/gpu/errors.h"
+#include "renderer/parameters.h"
+#include "sandbox/commands/command.h"
+
+namespace {
+
+/// CLI11 says what it did not expect; people want to know what they meant.
+std::string with_nearest(const CLI::App& program, const CLI::ParseError& error) {
+  std::string message = error.what();
+  const auto used = program.get_subcommands();
+  const CLI::App& command = used.empty() ? program : *used.front();
+  std::vector<std::string> valid;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) valid.push_back("--" + name);
+  for (const CLI::App* sub : command.get_subcommands({})) valid.push_back(sub->get_name());
+  for (const std::string& extra : command.remaining())
+    if (const std::string close = plume::nearest(extra.substr(0, extra.find('=')), valid); !close.empty())
+      message += fmt::format("; did you mean {}?", close);
+  return message;
+}
+
+int fail(int code, const std::string& message) {
+  fmt::print(stderr, "plume: {}\n", message);
+  return code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  gpu::Device device({.validate = true});
-  gpu::Shaders shaders(getenv("PLUME_SHADERS") ? getenv("PLUME_SHADERS") : "");
-  gpu::Pipelines pipelines(device, shaders);
-  PresetLibrary library(preset_root());
-  Stage stage(device, pipelines, library, library.scene(argv[1]));
-  Targets targets(device, {uint32_t(getenv("W")?atoi(getenv("W")):640),uint32_t(getenv("H")?atoi(getenv("H")):360)});
-  for (auto& t : stage.go_to(uint32_t(atoi(argv[2])), targets.size)) printf("%s %.2f ms\n", t.name.c_str(), t.ms);
-  for (int a = 3; a < argc; ++a) {
-    MethodInstance m{make_method(argv[a]), {}};
-    auto r = render_frame(device, pipelines, targets, stage.prelude(), stage.transparents(), m);
-    r = render_frame(device, pipelines, targets, stage.prelude(), stage.transparents(), m);
-    printf("%s: %u cards\n", argv[a], stage.transparents().count);
-    for (auto& t : r.passes) printf("  %s %.2f ms\n", t.name.c_str(), t.ms);
-    auto px = gpu::read<std::array<uint8_t,4>>(device, targets.display);
-    DisplayImage img; img.width=int(targets.size.x); img.height=int(targets.size.y); for (auto& p : px) img.pixels.push_back({p[0],p[1],p[2]});
-    write_png(std::string(std::string(getenv("SHOT_OUT") ? getenv("SHOT_OUT") : "/tmp/shots/"))+argv[a]+".png", img);
+  using namespace plume;
+  CLI::App program("Plume: particle effects and order-independent transparency, measured.", "plume");
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(28);
+  Run run;
+  for (auto* add : {add_compare, add_replay, add_diff, add_check, add_list}) add(program, run);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", program.help());
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    return fail(kBadUsage, with_nearest(program, error));
   }
-  for (auto& m : device.validation_messages()) printf("VALIDATION %s\n", m.c_str());
+
+  try {
+    return run();
+  } catch (const gpu::NoUsableDevice& error) {
+    return fail(kNoDevice, error.what());
+  } catch (const gpu::DeviceFailure& error) {
+    return fail(kDeviceFailed, error.what());
+  } catch (const Interrupted& error) {
+    return fail(kInterrupted, error.what());
+  } catch (const std::exception& error) {   // an input file, an argument, a folder: the message says which
+    return fail(kBadUsage, error.what());
+  }
 }

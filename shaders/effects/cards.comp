@@ -31,12 +31,12 @@ Card hidden_card() {
   return Card(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u));
 }
 
-// Light on the cloud as a whole: particles away from its vertical axis face away from it.
-float cloud_light(EmitterData e, vec3 position, float radius) {
-  const vec2 arm = position.xz - e.core.xz;
-  const float distance = length(arm);
-  const vec3 outward = normalize(vec3(arm.x, 0.6 * distance + 0.25 * radius, arm.y));
-  return 0.45 + 0.55 * smoothstep(-0.9, 0.9, dot(outward, view.sun_direction));
+// The cloud as a whole is lit too: (share of the sun, share of the sky) that reaches a particle through the others. Clouds are
+// about as large as a few of their puffs: towards the sun from the middle it is bright, beyond it dark, near the ground dim.
+vec2 cloud_light(EmitterData e, vec3 position, float radius, uint age) {
+  const vec3 middle = e.core + 0.5 * float(age) * kTick * e.wind;   // the wind bends it
+  const vec3 arm = (position - middle) / (1.5 * radius);
+  return vec2(0.1 + 0.9 * smoothstep(-0.7, 1.3, dot(arm, view.sun_direction)), 0.5 + 0.5 * smoothstep(0.0, 1.5, arm.y));
 }
 
 uint layers_of(EmitterData e, uint key, uint age, out float blend) {
@@ -85,7 +85,8 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
 
   const bool lit = (e.flags & kEmitterLit) != 0u;
   const vec3 color = curve(emitter, 1u, life).rgb;
-  const vec3 sky = 0.5 * (view.zenith + view.horizon);
+  const vec3 sky = mix(view.horizon, view.zenith, 0.6);   // more of the sky is above than beside
+  const vec2 reached = cloud_light(e, p.position, radius, age);
   float blend;
   const uint layers = layers_of(e, key, age, blend);
   Card card;
@@ -95,8 +96,8 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
   card.inv_feather = e.inv_feather;
   card.axis_v = v * scale;
   card.layers = layers;
-  card.sunlit = pack_half4(vec4(lit ? color * view.sun_color * cloud_light(e, p.position, radius) : vec3(0.0), blend));
-  card.ambient = pack_half4(vec4(lit ? color * sky : color, 0.0));
+  card.sunlit = pack_half4(vec4(lit ? color * view.sun_color * reached.x : vec3(0.0), blend));
+  card.ambient = pack_half4(vec4(lit ? color * sky * reached.y : color, 0.0));
   card.emission = pack_half4(vec4(curve(emitter, 2u, life).rgb * shape.y, 0.0));
   card.transmission = uvec2(0u);
   card.light = pack_half4(vec4(dot(view.sun_direction, normalize(u)), dot(view.sun_direction, normalize(v)),

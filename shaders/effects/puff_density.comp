@@ -26,20 +26,21 @@ float value_noise(vec3 p, uint salt) {
   return mix(y.x, y.y, u.z);
 }
 
-float fractal_noise(vec3 p, uint salt) {
+// Folded noise: round hills between narrow creases, as on a cauliflower, where smoke rolls outwards.
+float billow_noise(vec3 p, uint salt) {
   float sum = 0.0, weight = 0.5;
   for (uint octave = 0u; octave < 4u; ++octave) {
-    sum += weight * value_noise(p, salt + octave);
+    sum += weight * abs(2.0 * value_noise(p, salt + octave) - 1.0);
     p = p * 2.07 + 3.1;
-    weight *= 0.5;
+    weight *= 0.55;
   }
-  return sum;   // about 0.1 .. 0.85
+  return sum;   // about 0.05 .. 0.75
 }
 
 float density(vec3 p, float phase, uint salt) {
   const vec3 drift = 0.55 * vec3(cos(phase), sin(phase), 0.5 * cos(phase));
-  const float erosion = fractal_noise(p * 2.1 + drift + 20.0, salt);
-  return smoothstep(0.0, 0.45, 1.02 - length(p) - 0.85 * erosion);
+  const float hills = billow_noise(p * 1.7 + drift + 20.0, salt);
+  return smoothstep(0.0, 0.5, 0.35 - length(p) + 1.1 * hills);
 }
 
 void main() {

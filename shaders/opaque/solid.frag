@@ -37,13 +37,24 @@ vec3 brick(vec3 base, vec2 uv) {
   const vec2 f = fract(cell), width = 1.6 * fwidth(cell) + vec2(0.03, 0.08);
   const float mortar = max(1.0 - smoothstep(0.0, width.x, min(f.x, 1.0 - f.x)), 1.0 - smoothstep(0.0, width.y, min(f.y, 1.0 - f.y)));
   const float shade = 0.7 + 0.6 * float(hash(uint(int(floor(cell.x))) + hash(uint(int(row)))) >> 24u) / 255.0;
-  return mix(base * shade, vec3(0.42, 0.4, 0.37), 0.6 * mortar);
+  return mix(base * shade, 0.5 * base + vec3(0.17, 0.16, 0.15), 0.6 * mortar);
+}
+
+// A road: aggregate, darker patches and tyre stains, and worn dashed lines a lane (3.5 m) apart along x.
+vec3 asphalt(vec3 base, vec2 uv) {
+  const vec3 road = base * (0.65 + 0.5 * fractal(uv * 0.6) + 0.5 * (noise(uv * 37.0) - 0.5)) *
+                    (1.0 - 0.35 * smoothstep(0.55, 0.7, noise(uv * vec2(0.22, 0.5) + 11.0)));
+  const vec2 soft = fwidth(uv) + 0.01;
+  const vec2 gap = abs((fract(uv / vec2(4.0, 3.5)) - 0.5) * vec2(4.0, 3.5)) - vec2(1.0, 0.06);   // outside the dash, m
+  const vec2 inside = 1.0 - smoothstep(-soft, soft, gap);
+  const float wear = smoothstep(0.25, 0.55, fractal(uv * 4.0 + 5.0));
+  return mix(road, vec3(0.5, 0.49, 0.46), 0.75 * wear * inside.x * inside.y);
 }
 
 vec3 albedo(SolidData s, vec3 normal) {
   const vec2 uv = surface_uv(normal);
   switch (s.material) {
-    case 1u: return s.color * (0.65 + 0.5 * fractal(uv * 0.6) + 0.35 * (noise(uv * 23.0) - 0.5));                 // asphalt
+    case 1u: return asphalt(s.color, uv);
     case 2u: return brick(s.color, uv);
     case 3u: return s.color * (0.7 + 0.25 * noise(vec2(uv.x * 1.3, uv.y * 14.0)) + 0.3 * noise(vec2(floor(uv.y / 0.18), 3.0)));   // wood
     case 4u: return s.color * (0.75 + 0.4 * fractal(uv * 1.4) + 0.1 * (noise(uv * 31.0) - 0.5));                  // concrete

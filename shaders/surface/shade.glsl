@@ -59,10 +59,14 @@ Fragment shade() {
   const vec2 slope = texel.gb * 2.0 - 1.0;
   const vec3 normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
   const float wrap = clamp(dot(normal, v_light) * 0.5 + 0.5, 0.0, 1.0);
+  // Where the puff is thin, light comes from all around: no side is dark, so no puff has an outline.
+  const float sun = mix(0.45, wrap * wrap, 1.0 - exp(-2.0 * density_here));
   Fragment f;
   f.coverage = coverage_of(density_here);
-  f.color = f.coverage * (v_sunlit.rgb * (wrap * wrap) + v_ambient.rgb * texel.a);
-  f.emission = v_emission.rgb * min(density_here, 2.0);
+  f.color = f.coverage * (v_sunlit.rgb * sun + v_ambient.rgb * texel.a);
+  // Thick parts and creases are hotter: green and blue rise faster than red. At the mean depth it is the colour as written.
+  const float heat = (2.0 - texel.a) * 2.0 * density_here / (1.0 + density_here);
+  f.emission = v_emission.rgb * heat * vec3(1.0, heat, heat * heat);
   f.transmission = v_transmission.rgb;
   f.depth = v_uv_depth.z;
   f.id = v_layers_id.z;

@@ -166,8 +166,10 @@ TEST(EffectReader, NamesTheFileInEveryDiagnostic) {
   } catch (const FileErrors& errors) {
     ASSERT_EQ(errors.diagnostics().size(), 3u);
     for (const Diagnostic& diagnostic : errors.diagnostics()) EXPECT_EQ(diagnostic.file, "some/file.toml");
-    EXPECT_NE(std::string(errors.what()).find("some/file.toml:1:1: unknown key `nam`, did you mean `name`?"),
-              std::string::npos);
+    EXPECT_EQ(std::string(errors.what()),
+              "some/file.toml:1:1: missing key `name`, expected a non-empty text in quotes\n"
+              "some/file.toml:1:1: missing key `emitter`, expected 1 to 64 tables [[emitter]]\n"
+              "some/file.toml:1:1: unknown key `nam`, did you mean `name`?");
   }
 }
 

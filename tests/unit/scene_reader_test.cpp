@@ -189,6 +189,7 @@ TEST(Figure, LooksAlongItsYaw) {
   };
   EXPECT_GT(toe(0).z, 0.05f);
   EXPECT_GT(toe(90).x, 0.05f);
+  EXPECT_NEAR(toe(90).z, -toe(0).x, 1e-6f);
 }
 
 }  // namespace

@@ -178,9 +178,16 @@ TEST(ReadDocument, TakesAnyCharacterInTextsAndCommentsOnly) {
     std::string text;
     for (const char* key : {"a", "b", "c", "d", "ä"}) top.text(key, text);
   };
-  EXPECT_EQ(said("\xEF\xBB\xBF# ä\na = \"ä\\\"ä\" # ä\nb = 'ä\\'\nc = \"\"\"ä\n\"ä\"\"\\\"\"\"\"\"\nd = "
-                 "\'\'\'ä\n'ä\n"
-                 "\"ä\" = \"ä\"\n",
+  EXPECT_EQ(said("\xEF\xBB\xBF"
+                 R"toml(# ä
+a = "ä\"ä" # ä
+b = 'ä\'
+c = """ä
+"ä""\"""""
+d = '''ä
+'ä'''''
+"ä" = "ä"
+)toml",
                  keys),
             "");
   const std::string refused =
@@ -188,6 +195,7 @@ TEST(ReadDocument, TakesAnyCharacterInTextsAndCommentsOnly) {
   EXPECT_EQ(said("a = 'ä'\nb = ä\n", keys), "2:5" + refused);
   EXPECT_EQ(said("# ä\n[[ä]]\n", keys), "2:3" + refused);
   EXPECT_EQ(said("a = 'ä' ä\n", keys), "1:9" + refused);
+  EXPECT_EQ(said("a = '''b''''' ä\n", keys), "1:15" + refused);
 }
 
 TEST(ReadDocument, SurvivesABracketBeforeAComment) {

@@ -1,0 +1,67 @@
+// What the commands share: their flags, their exit codes, and the GPU they open.
+#ifndef PLUME_COMMANDS_COMMAND_H
+#define PLUME_COMMANDS_COMMAND_H
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+#include "renderer/gpu/pipelines.h"
+#include "sandbox/measure/measurement.h"
+#include "sandbox/presets/library.h"
+
+namespace plume {
+
+enum ExitCode {
+  kDone = 0,
+  kToleranceExceeded = 1,   ///< also: a validation message under --validate
+  kBadUsage = 2,            ///< arguments or an input file
+  kNoDevice = 3,
+  kDeviceFailed = 4,
+  kInterrupted = 130
+};
+
+/// Wrong arguments that the parser cannot see. Exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The flags that all drawing commands take.
+struct DrawFlags {
+  std::string size, device, shard, shaders;
+  std::optional<uint32_t> seed;
+  std::vector<std::string> set;
+  bool resume = false, validate = false, json = false;
+  uint64_t memory_limit_mib = 0;
+  std::string out = "out";
+};
+void add_draw_flags(CLI::App& command, DrawFlags& flags);
+
+glm::uvec2 parse_size(const std::string& text);
+Shard parse_shard(const std::string& text);
+/// Applies every `--set method.parameter=value` to the methods of that id that do not name the parameter themselves.
+void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays);
+
+/// A device with what drawing needs, opened as the flags say.
+struct GpuSession {
+  explicit GpuSession(const DrawFlags& flags);
+  gpu::Device device;
+  gpu::Shaders shaders;
+  gpu::Pipelines pipelines;
+};
+
+/// Measures, writes the report, prints the table or JSON; the common end of `compare` and `replay`.
+int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags);
+
+/// Every command adds its sub-command and hands over what runs it.
+using Run = std::function<int()>;
+void add_compare(CLI::App& program, Run& run);
+void add_replay(CLI::App& program, Run& run);
+void add_diff(CLI::App& program, Run& run);
+void add_check(CLI::App& program, Run& run);
+void add_list(CLI::App& program, Run& run);
+
+}  // namespace plume
+#endif

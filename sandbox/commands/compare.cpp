@@ -1,0 +1,64 @@
+// plume compare SCENE...: accuracy and time of methods against the exact reference.
+#include <fmt/format.h>
+
+#include "renderer/methods/methods.h"
+#include "sandbox/commands/command.h"
+
+namespace plume {
+namespace {
+
+struct CompareFlags : DrawFlags {
+  std::vector<std::string> scenes;
+  std::vector<std::string> methods{"all"};
+  std::optional<uint32_t> tick;
+  uint32_t frames = 5;
+};
+
+std::vector<MethodRun> method_runs(const std::vector<std::string>& names) {
+  std::vector<MethodRun> runs;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const std::string& id : method_ids()) runs.push_back({.id = id, .settings = {}});
+      continue;
+    }
+    if (!make_method(name)) {
+      const std::string close = nearest(name, method_ids());
+      throw UsageError(fmt::format("--methods: there is no method '{}'; {}", name,
+                                   close.empty() ? fmt::format("there are {}", fmt::join(method_ids(), ", "))
+                                                 : fmt::format("did you mean '{}'?", close)));
+    }
+    runs.push_back({.id = name, .settings = {}});
+  }
+  return runs;
+}
+
+int run_compare(const CompareFlags& flags) {
+  const PresetLibrary library(preset_root());
+  std::vector<Replay> replays;
+  for (const std::string& name : flags.scenes) {
+    const Scene scene = library.scene(name);
+    Replay replay;
+    replay.id = replay.name = scene.id;
+    replay.scene = name;
+    replay.ticks = {flags.tick.value_or(scene.default_tick)};
+    replay.frames = flags.frames;
+    replay.methods = method_runs(flags.methods);
+    replays.push_back(std::move(replay));
+  }
+  return measure_and_report(std::move(replays), library, flags);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Run& run) {
+  auto flags = std::make_shared<CompareFlags>();
+  CLI::App* command = program.add_subcommand("compare", "accuracy and time of methods against the exact reference");
+  command->add_option("SCENE", flags->scenes, "ids of `plume list scenes`, or files")->required();
+  command->add_option("--methods", flags->methods, "all, or ids of `plume list methods`, comma-separated")->delimiter(',');
+  command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own");
+  command->add_option("--frames", flags->frames, "timed repetitions of each method")->check(CLI::Range(1, 10000))->capture_default_str();
+  add_draw_flags(*command, *flags);
+  command->callback([flags, &run] { run = [flags] { return run_compare(*flags); }; });
+}
+
+}  // namespace plume

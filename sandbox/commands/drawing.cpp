@@ -1,0 +1,148 @@
+// The flags of drawing commands and their common end.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <unistd.h>
+
+#include "renderer/methods/methods.h"
+#include "sandbox/commands/command.h"
+#include "sandbox/measure/report.h"
+
+namespace plume {
+namespace {
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+/// "12.5s", "3m 20s".
+std::string duration(double seconds) {
+  if (seconds < 60) return fmt::format("{:.0f}s", seconds);
+  return fmt::format("{:.0f}m {:02.0f}s", std::floor(seconds / 60), std::fmod(seconds, 60));
+}
+
+/// One line that is rewritten on a terminal, plain lines in a pipe.
+class Progress {
+ public:
+  void operator()(size_t done, size_t total, const std::string& what) {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const std::string eta = done < total ? duration(elapsed / double(done) * double(total - done)) + " left" : "done in " + duration(elapsed);
+    fmt::print(stderr, "{}[{}/{}] {} · {}{}", terminal_ ? "\r\x1b[K" : "", done, total, what, eta,
+               terminal_ && done < total ? "" : "\n");
+    std::fflush(stderr);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool terminal_ = isatty(STDERR_FILENO);
+};
+
+/// A whole unsigned number, or nothing.
+std::optional<uint32_t> parse_number(std::string_view text) {
+  uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Both sides of the first `separator`.
+std::optional<std::pair<std::string, std::string>> split(const std::string& text, char separator) {
+  const size_t at = text.find(separator);
+  if (at == std::string::npos) return std::nullopt;
+  return std::pair{text.substr(0, at), text.substr(at + 1)};
+}
+
+gpu::DeviceOptions device_options(const DrawFlags& flags) {
+  const char* fault = std::getenv("PLUME_FAULT");   // tests inject what drivers rarely do
+  return {.select = flags.device,
+          .validate = flags.validate,
+          .memory_limit_bytes = flags.memory_limit_mib << 20,
+          .fault = fault ? fault : ""};
+}
+
+}  // namespace
+
+void add_draw_flags(CLI::App& command, DrawFlags& flags) {
+  command.add_option("--size", flags.size, "picture size, WxH, 1x1 to 16384x16384");
+  command.add_option("--seed", flags.seed, "instead of the scene's");
+  command.add_option("--device", flags.device, "part of a device's name, or its index in `plume list devices`");
+  command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`");
+  command.add_option("--shard", flags.shard, "I/N: only the I-th of N parts of the ticks, from 0");
+  command.add_flag("--resume", flags.resume, "keep what results.json in --out has and do the rest");
+  command.add_flag("--validate", flags.validate, "run with the Vulkan validation layer; any message makes the exit code 1");
+  command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
+  command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")->capture_default_str();
+  command.add_option("--shaders", flags.shaders, "compile shaders from this folder instead of the embedded ones");
+  command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used");
+}
+
+glm::uvec2 parse_size(const std::string& text) {
+  const auto parts = split(text, 'x');
+  const auto width = parts ? parse_number(parts->first) : std::nullopt;
+  const auto height = parts ? parse_number(parts->second) : std::nullopt;
+  const auto fits = [](std::optional<uint32_t> n) { return n && *n >= 1 && *n <= 16384; };
+  if (!fits(width) || !fits(height))
+    throw UsageError(fmt::format("--size {}: expected WxH with both from 1 to 16384, such as 640x360", text));
+  return {*width, *height};
+}
+
+Shard parse_shard(const std::string& text) {
+  const auto parts = split(text, '/');
+  const auto index = parts ? parse_number(parts->first) : std::nullopt;
+  const auto count = parts ? parse_number(parts->second) : std::nullopt;
+  if (!index || !count || *index >= *count)
+    throw UsageError(fmt::format("--shard {}: expected I/N with I from 0 to N - 1, such as 0/4", text));
+  return {*index, *count};
+}
+
+void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays) {
+  for (const std::string& setting : settings) {
+    const auto assignment = split(setting, '=');
+    const auto name = assignment ? split(assignment->first, '.') : std::nullopt;
+    if (!name)
+      throw UsageError(fmt::format("--set {}: expected method.parameter=value, such as wboit.weight=eq9", setting));
+    const auto method = make_method(name->first);
+    if (!method) {
+      const std::string close = nearest(name->first, method_ids());
+      throw UsageError(fmt::format("--set {}: there is no method '{}'{}", setting, name->first,
+                                   close.empty() ? "" : fmt::format("; did you mean '{}'?", close)));
+    }
+    set_parameter(*method, name->second, assignment->second);   // says what is wrong before anything runs
+    for (Replay& replay : replays)
+      for (MethodRun& run : replay.methods)
+        if (run.id == name->first) run.settings.try_emplace(name->second, assignment->second);
+  }
+}
+
+GpuSession::GpuSession(const DrawFlags& flags)
+    : device(device_options(flags)), shaders(flags.shaders), pipelines(device, shaders) {}
+
+int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags) {
+  for (Replay& replay : replays) {
+    if (!flags.size.empty()) replay.size = parse_size(flags.size);
+    if (flags.seed) replay.seed = flags.seed;
+  }
+  apply_settings(flags.set, replays);
+  const Shard shard = flags.shard.empty() ? Shard{} : parse_shard(flags.shard);
+
+  std::signal(SIGINT, [](int) { g_interrupted = 1; });
+  GpuSession session(flags);
+  Progress progress;
+  const Results results =
+      measure(session.device, session.pipelines, library, replays,
+              {.out = flags.out, .resume = flags.resume, .shard = shard, .progress = std::ref(progress),
+               .interrupted = [] { return g_interrupted != 0; }});
+  write_report(std::filesystem::path(flags.out) / "report.html", results);
+
+  if (flags.json)
+    fmt::print("{}\n", to_json(results).dump(2));
+  else
+    fmt::print("{}report: {}\n", to_table(results), (std::filesystem::path(flags.out) / "report.html").string());
+  const auto messages = session.device.validation_messages();
+  for (const std::string& message : messages) fmt::print(stderr, "validation: {}\n", message);
+  return messages.empty() ? kDone : kToleranceExceeded;
+}
+
+}  // namespace plume

@@ -1,0 +1,150 @@
+// plume list: what methods, effects, scenes, replays and devices there are.
+#include <fmt/format.h>
+
+#include "renderer/methods/methods.h"
+#include "sandbox/commands/command.h"
+#include "sandbox/effects/spawn_schedule.h"
+
+namespace plume {
+namespace {
+
+using nlohmann::json;
+
+struct ListFlags {
+  std::string what;
+  bool json = false;
+};
+
+json list_methods() {
+  json list = json::array();
+  for (const std::string& id : method_ids()) {
+    const auto method = make_method(id);
+    const Traits traits = method->traits();
+    list.push_back({{"id", id},
+                    {"title", traits.title},
+                    {"source", traits.source},
+                    {"transmission", traits.transmission},
+                    {"emission", traits.emission},
+                    {"limits", traits.limits},
+                    {"parameters", parameter_list(*method)}});
+  }
+  return list;
+}
+
+json list_effects(const PresetLibrary& library) {
+  json list = json::array();
+  for (const std::string& id : library.ids(PresetKind::kEffect)) {
+    const Effect effect = library.effect(id);
+    json emitters = json::array();
+    uint64_t capacity = 0, last_tick = 0;
+    for (const Emitter& emitter : effect.emitters) {
+      const SpawnSchedule schedule(emitter.spawn);
+      capacity += schedule.capacity();
+      last_tick = std::max<uint64_t>(last_tick, schedule.last_tick());
+      emitters.push_back({{"name", emitter.name}, {"births", schedule.births_total()}, {"capacity", schedule.capacity()}});
+    }
+    list.push_back({{"id", id},
+                    {"title", effect.name},
+                    {"description", effect.description},
+                    {"seconds", double(last_tick) / kTicksPerSecond},
+                    {"capacity", capacity},
+                    {"emitters", emitters}});
+  }
+  return list;
+}
+
+json list_scenes(const PresetLibrary& library) {
+  json list = json::array();
+  for (const std::string& id : library.ids(PresetKind::kScene)) {
+    const Scene scene = library.scene(id);
+    json instances = json::array();
+    for (const Instance& i : scene.instances)
+      instances.push_back({{"name", i.name}, {"effect", i.effect}, {"call_tick", i.call_tick ? json(*i.call_tick) : json(nullptr)}});
+    list.push_back({{"id", id},
+                    {"title", scene.name},
+                    {"description", scene.description},
+                    {"duration_ticks", scene.duration_ticks},
+                    {"default_tick", scene.default_tick},
+                    {"instances", instances}});
+  }
+  return list;
+}
+
+json list_replays(const PresetLibrary& library) {
+  json list = json::array();
+  for (const std::string& id : library.ids(PresetKind::kReplay)) {
+    const Replay replay = library.replay(id);
+    json methods = json::array();
+    for (const MethodRun& run : replay.methods) methods.push_back({{"id", run.id}, {"settings", run.settings}});
+    list.push_back({{"id", id},
+                    {"title", replay.name},
+                    {"description", fmt::format("{} on {} ticks of {}", replay.methods.size(), replay.ticks.size(), replay.scene)},
+                    {"scene", replay.scene},
+                    {"ticks", replay.ticks},
+                    {"size", {replay.size.x, replay.size.y}},
+                    {"methods", methods}});
+  }
+  return list;
+}
+
+json list_devices() {
+  json list = json::array();
+  for (const gpu::DeviceInfo& d : gpu::list_devices())
+    list.push_back({{"id", std::to_string(list.size())},
+                    {"title", d.name},
+                    {"description", fmt::format("{}, Vulkan {}{}", d.driver, d.api, d.is_cpu ? ", runs on the CPU" : "")}});
+  return list;
+}
+
+std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// "0.001 .. 1000 1/m" or "eq7 | eq8".
+std::string range_of(const json& parameter) {
+  if (parameter.contains("options")) {
+    std::vector<std::string> options = parameter["options"];
+    return fmt::format("{}", fmt::join(options, " | "));
+  }
+  if (!parameter.contains("min")) return "true | false";
+  const std::string unit = parameter.value("unit", "");
+  return fmt::format("{} .. {}{}{}", text_of(parameter["min"]), text_of(parameter["max"]), unit.empty() ? "" : " ", unit);
+}
+
+void print_for_people(const json& list) {
+  for (const json& entry : list) {
+    fmt::print("{:<16} {}\n", text_of(entry["id"]), text_of(entry["title"]));
+    for (const char* key : {"description", "source", "transmission", "emission", "limits"})
+      if (entry.contains(key)) fmt::print("    {}: {}\n", key, text_of(entry[key]));
+    for (const json& p : entry.value("parameters", json::array()))
+      fmt::print("    --set {}.{}={}   [{}]  {}\n", text_of(entry["id"]), text_of(p["name"]), text_of(p["value"]),
+                 range_of(p), text_of(p["help"]));
+  }
+}
+
+int run_list(const ListFlags& flags) {
+  json list;
+  if (flags.what == "methods") list = list_methods();
+  if (flags.what == "devices") list = list_devices();
+  if (list.is_null()) {
+    const PresetLibrary library(preset_root());
+    list = flags.what == "effects"  ? list_effects(library)
+           : flags.what == "scenes" ? list_scenes(library)
+                                    : list_replays(library);
+  }
+  if (flags.json) fmt::print("{}\n", list.dump(2));
+  else print_for_people(list);
+  return kDone;
+}
+
+}  // namespace
+
+void add_list(CLI::App& program, Run& run) {
+  auto flags = std::make_shared<ListFlags>();
+  CLI::App* command = program.add_subcommand("list", "what methods, effects, scenes, replays and devices there are");
+  command->add_option("WHAT", flags->what, "methods, effects, scenes, replays or devices")
+      ->required()
+      ->check(CLI::IsMember({"methods", "effects", "scenes", "replays", "devices"}));
+  command->add_flag("--json", flags->json, "everything, for programs");
+  command->callback([flags, &run] { run = [flags] { return run_list(*flags); }; });
+}
+
+}  // namespace plume

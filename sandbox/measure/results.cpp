@@ -1,0 +1,160 @@
+#include "sandbox/measure/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sandbox/measure/file_bytes.h"
+
+namespace plume {
+namespace {
+
+using nlohmann::json;
+
+json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+double number_or_infinity(const json& value) {
+  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
+
+json text_or_null(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
+
+std::string text_of(const json& value) { return value.is_null() ? "" : value.get<std::string>(); }
+
+/// A CSV field whatever is in it (RFC 4180).
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+FrameResult frame_from_json(const json& from) {
+  FrameResult frame;
+  frame.scene = from.at("scene");
+  frame.tick = from.at("tick");
+  frame.width = from.at("size").at(0);
+  frame.height = from.at("size").at(1);
+  frame.method = from.at("method");
+  frame.settings = from.at("settings");
+  frame.status = from.at("status");
+  for (const json& pass : from.at("passes"))
+    frame.passes.push_back({pass.at("name"),
+                            {.median = pass.at("median_ms"), .p95 = pass.at("p95_ms"), .min = pass.at("min_ms"),
+                             .samples = pass.at("samples")}});
+  frame.gpu_ms = from.at("gpu_ms");
+  frame.memory_bytes = from.at("memory_bytes");
+  if (const json& error = from.at("error"); !error.is_null())
+    frame.error = {.rmse = number_or_infinity(error.at("rmse")),
+                   .psnr_db = number_or_infinity(error.at("psnr_db")),
+                   .ssim = error.at("ssim"),
+                   .flip = error.at("flip"),
+                   .max = number_or_infinity(error.at("max")),
+                   .max_x = error.at("max_at").at(0),
+                   .max_y = error.at("max_at").at(1)};
+  frame.image = text_of(from.at("image"));
+  frame.error_map = text_of(from.at("error_map"));
+  return frame;
+}
+
+}  // namespace
+
+json to_json(const FrameResult& frame) {
+  json passes = json::array();
+  for (const PassSummary& pass : frame.passes)
+    passes.push_back({{"name", pass.name},
+                      {"median_ms", pass.ms.median},
+                      {"p95_ms", pass.ms.p95},
+                      {"min_ms", pass.ms.min},
+                      {"samples", pass.ms.samples}});
+  json error = nullptr;
+  if (frame.error)
+    error = {{"rmse", number_or_null(frame.error->rmse)},
+             {"psnr_db", number_or_null(frame.error->psnr_db)},
+             {"ssim", frame.error->ssim},
+             {"flip", frame.error->flip},
+             {"max", number_or_null(frame.error->max)},
+             {"max_at", {frame.error->max_x, frame.error->max_y}}};
+  return {{"scene", frame.scene},
+          {"tick", frame.tick},
+          {"size", {frame.width, frame.height}},
+          {"method", frame.method},
+          {"settings", frame.settings},
+          {"status", frame.status},
+          {"passes", passes},
+          {"gpu_ms", frame.gpu_ms},
+          {"memory_bytes", frame.memory_bytes},
+          {"error", error},
+          {"image", text_or_null(frame.image)},
+          {"error_map", text_or_null(frame.error_map)}};
+}
+
+json to_json(const Results& results) {
+  json frames = json::array();
+  for (const FrameResult& frame : results.frames) frames.push_back(to_json(frame));
+  return {{"environment", results.environment}, {"frames", frames}, {"demand", results.demand}};
+}
+
+Results read_results(const std::filesystem::path& path) try {
+  const auto bytes = read_file(path);
+  const json from = json::parse(bytes.begin(), bytes.end());
+  Results results{.environment = from.at("environment"), .frames = {}, .demand = from.at("demand")};
+  for (const json& frame : from.at("frames")) results.frames.push_back(frame_from_json(frame));
+  return results;
+} catch (const json::exception& error) {
+  throw std::runtime_error(fmt::format("{} is not a results.json: {}", path.string(), error.what()));
+}
+
+std::string to_csv(const Results& results) {
+  std::vector<std::string> pass_names;
+  for (const FrameResult& frame : results.frames)
+    for (const PassSummary& pass : frame.passes)
+      if (std::find(pass_names.begin(), pass_names.end(), pass.name) == pass_names.end())
+        pass_names.push_back(pass.name);
+
+  std::string csv = "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,rmse,psnr_db,ssim,flip,max";
+  for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
+  csv += "\n";
+  for (const FrameResult& frame : results.frames) {
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}", frame.scene, frame.tick, frame.width, frame.height, frame.method,
+                       quoted(frame.settings.dump()), quoted(frame.status), frame.gpu_ms, frame.memory_bytes);
+    if (frame.error)
+      csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
+                         frame.error->flip, frame.error->max);
+    else
+      csv += ",,,,,";
+    for (const std::string& name : pass_names) {
+      const auto pass =
+          std::find_if(frame.passes.begin(), frame.passes.end(), [&](const PassSummary& p) { return p.name == name; });
+      csv += pass == frame.passes.end() ? std::string(",") : fmt::format(",{}", pass->ms.median);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+std::string to_table(const Results& results) {
+  std::string table = fmt::format("{:<16} {:>5}  {:<10} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9}  {}\n", "scene", "tick",
+                                  "method", "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "MiB", "settings");
+  for (const FrameResult& frame : results.frames) {
+    table += fmt::format("{:<16} {:>5}  {:<10} ", frame.scene, frame.tick, frame.method);
+    if (frame.status != "ok") {
+      table += frame.status + "\n";
+      continue;
+    }
+    if (frame.error)
+      table += fmt::format("{:>9.5f} {:>8.2f} {:>7.4f} {:>7.4f} ", frame.error->rmse, frame.error->psnr_db,
+                           frame.error->ssim, frame.error->flip);
+    else
+      table += fmt::format("{:>9} {:>8} {:>7} {:>7} ", "-", "-", "-", "-");
+    table += fmt::format("{:>9.2f} {:>9.2f}  {}\n", frame.gpu_ms, double(frame.memory_bytes) / 1048576.0,
+                         frame.settings.empty() ? "" : frame.settings.dump());
+  }
+  return table;
+}
+
+}  // namespace plume

@@ -1,0 +1,59 @@
+// What a comparison or a replay found: results.json and results.csv. Written after every frame, so that an interrupted run keeps
+// what it had and --resume goes on from there.
+#ifndef PLUME_MEASURE_RESULTS_H
+#define PLUME_MEASURE_RESULTS_H
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sandbox/measure/statistics.h"
+
+namespace plume {
+
+struct PassSummary {
+  std::string name;
+  Summary ms;
+};
+
+struct ErrorSummary {
+  double rmse = 0, psnr_db = 0, ssim = 1, flip = 0;
+  double max = 0;
+  int max_x = 0, max_y = 0;
+};
+
+/// One method with one set of settings on one tick of one scene.
+struct FrameResult {
+  std::string scene;
+  uint32_t tick = 0;
+  uint32_t width = 0, height = 0;
+  std::string method;
+  nlohmann::json settings = nlohmann::json::object();   ///< every parameter with its value
+  std::string status = "ok";                            ///< or "unavailable: needs X"
+  std::vector<PassSummary> passes;
+  double gpu_ms = 0;                                    ///< median over the repetitions of the sum of passes
+  uint64_t memory_bytes = 0;                            ///< of the method's own images and buffers
+  std::optional<ErrorSummary> error;                    ///< against the exact reference
+  std::string image, error_map;                         ///< file names beside results.json; "" = not written
+};
+
+struct Results {
+  nlohmann::json environment;
+  std::vector<FrameResult> frames;
+  nlohmann::json demand;   ///< of the last tick measured
+};
+
+nlohmann::json to_json(const FrameResult& frame);
+nlohmann::json to_json(const Results& results);
+/// Throws std::runtime_error that names the file when it is not a results.json.
+Results read_results(const std::filesystem::path& path);
+/// One line per frame; the passes' medians in columns of their own.
+std::string to_csv(const Results& results);
+/// A table for people: scene, tick, method, error, time, memory.
+std::string to_table(const Results& results);
+
+}  // namespace plume
+#endif
