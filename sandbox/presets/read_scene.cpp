@@ -12,7 +12,7 @@
 namespace plume {
 namespace {
 
-constexpr std::string_view kMaterials[] = {"plain", "asphalt", "brick", "wood", "concrete"};
+constexpr std::string_view kMaterials[] = {"plain", "asphalt", "brick", "wood", "concrete", "unlit"};
 constexpr std::string_view kTonemaps[] = {"none", "aces"};
 constexpr std::string_view kSolids[] = {"plane", "box", "sphere", "capsule", "figure"};
 constexpr uint32_t kFigure = 4;

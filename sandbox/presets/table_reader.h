@@ -4,6 +4,10 @@
 #ifndef PLUME_PRESETS_TABLE_READER_H
 #define PLUME_PRESETS_TABLE_READER_H
 
+// From its header, because the shared library was built without the two settings below.
+#undef TOML_HEADER_ONLY
+#undef TOML_SHARED_LIB
+#define TOML_HEADER_ONLY 1
 // Presets nest 4 deep; the parser recurses on values and on destruction.
 #define TOML_MAX_NESTED_VALUES 16
 // toml++ 3.3 asserts, or with NDEBUG assumes, that a key follows "[["; on "[[#" that is an abort or undefined

@@ -11,7 +11,7 @@
 
 namespace plume {
 
-enum class Material : uint32_t { kPlain, kAsphalt, kBrick, kWood, kConcrete };
+enum class Material : uint32_t { kPlain, kAsphalt, kBrick, kWood, kConcrete, kUnlit };   // unlit: colour is radiance
 enum class SolidKind : uint32_t { kPlane, kBox, kSphere, kCapsule };
 
 /// An analytic opaque body: drawn, casts shadows, and is what particles will collide with.

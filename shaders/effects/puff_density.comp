@@ -1,4 +1,4 @@
-// Puff textures, step 1: a small 3-D cloud per layer (a sphere eroded by fractal noise that moves in a circle, so that the flipbook
+// Puff textures, step 1: a small 3-D cloud per layer (a ball with hills of folded noise that moves in a circle, so that the flipbook
 // loops) is marched from the front. Writes (optical depth, mean height of what is seen from the front) in units of the radius.
 #version 460
 #extension GL_GOOGLE_include_directive : require

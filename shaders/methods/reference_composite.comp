@@ -9,7 +9,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar, binding = 8) readonly buffer Pool { FragmentPool pool; };
-layout(scalar, binding = 9) readonly buffer Heads { uint heads[]; };
+layout(scalar, binding = 9) buffer Heads { uint heads[]; };
 layout(binding = 10) uniform sampler2D opaque_color;
 layout(binding = 11, rgba16f) writeonly uniform image2D result;
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Nodes { FragmentNode nodes[]; };
@@ -68,8 +68,10 @@ void main() {
   if (any(greaterThanEqual(pixel, size))) return;
   Nodes list = Nodes(pool.address);
   vec3 light = vec3(0.0), through = vec3(1.0);
+  const uint ray = pixel.y * size.x + pixel.x;
   // On overflow the lists are incomplete and the frame is drawn again: sorting them would be wasted.
-  uint node = pool.count > pool.capacity ? kListEnd : sort(list, heads[pixel.y * size.x + pixel.x]);
+  uint node = pool.count > pool.capacity ? kListEnd : sort(list, heads[ray]);
+  heads[ray] = node;   // left front to back, for whoever wants the fragments of a pixel
   for (; node != kListEnd; node = list.nodes[node].next) {
     light += list.nodes[node].light * through;
     through *= list.nodes[node].transmittance;

@@ -40,15 +40,25 @@ vec3 brick(vec3 base, vec2 uv) {
   return mix(base * shade, 0.5 * base + vec3(0.17, 0.16, 0.15), 0.6 * mortar);
 }
 
-// A road: aggregate, darker patches and tyre stains, and worn dashed lines a lane (3.5 m) apart along x.
+// A road: grains, darker patches, and worn dashed lines a lane (3.5 m) apart along x. What is finer than a pixel is left out.
 vec3 asphalt(vec3 base, vec2 uv) {
-  const vec3 road = base * (0.65 + 0.5 * fractal(uv * 0.6) + 0.5 * (noise(uv * 37.0) - 0.5)) *
-                    (1.0 - 0.35 * smoothstep(0.55, 0.7, noise(uv * vec2(0.22, 0.5) + 11.0)));
-  const vec2 soft = fwidth(uv) + 0.01;
-  const vec2 gap = abs((fract(uv / vec2(4.0, 3.5)) - 0.5) * vec2(4.0, 3.5)) - vec2(1.0, 0.06);   // outside the dash, m
-  const vec2 inside = 1.0 - smoothstep(-soft, soft, gap);
-  const float wear = smoothstep(0.25, 0.55, fractal(uv * 4.0 + 5.0));
-  return mix(road, vec3(0.5, 0.49, 0.46), 0.75 * wear * inside.x * inside.y);
+  const vec2 pixel = fwidth(uv);
+  const float grains = (noise(uv * 37.0) - 0.5) * clamp(1.5 - 37.0 * max(pixel.x, pixel.y), 0.0, 1.0);
+  const float patches = smoothstep(0.55, 0.7, noise(uv * vec2(0.22, 0.5) + 11.0));
+  const vec3 road = base * (0.65 + 0.5 * fractal(uv * 0.6) + 0.6 * grains) * (1.0 - 0.35 * patches);
+  const vec2 spacing = vec2(4.0, 3.5), half_size = vec2(1.0, 0.06);   // of the dashes, m
+  const vec2 outside = abs(uv - spacing * round(uv / spacing)) - half_size, soft = pixel + 0.01;
+  const vec2 inside = 1.0 - smoothstep(-soft, soft, outside);
+  const float worn = smoothstep(0.25, 0.55, fractal(uv * 4.0 + 5.0));
+  return mix(road, vec3(0.5, 0.49, 0.46), 0.75 * worn * inside.x * inside.y);
+}
+
+// Planks 0.18 m wide, each of its own shade, with grain along them and dark gaps between.
+vec3 wood(vec3 base, vec2 uv) {
+  const float plank = uv.y / 0.18, soft = fwidth(plank);
+  const float edge = min(fract(plank), 1.0 - fract(plank));
+  const float grain = noise(vec2(uv.x * 1.3 + 9.0 * floor(plank), uv.y * 45.0));
+  return base * (0.6 + 0.4 * grain + 0.4 * noise(vec2(floor(plank), 3.0))) * (1.0 - 0.7 * (1.0 - smoothstep(0.02, 0.04 + soft, edge)));
 }
 
 vec3 albedo(SolidData s, vec3 normal) {
@@ -56,7 +66,7 @@ vec3 albedo(SolidData s, vec3 normal) {
   switch (s.material) {
     case 1u: return asphalt(s.color, uv);
     case 2u: return brick(s.color, uv);
-    case 3u: return s.color * (0.7 + 0.25 * noise(vec2(uv.x * 1.3, uv.y * 14.0)) + 0.3 * noise(vec2(floor(uv.y / 0.18), 3.0)));   // wood
+    case 3u: return wood(s.color, uv);
     case 4u: return s.color * (0.75 + 0.4 * fractal(uv * 1.4) + 0.1 * (noise(uv * 31.0) - 0.5));                  // concrete
     default: return s.color;
   }
@@ -98,6 +108,10 @@ float sunlight(vec3 origin) {
 
 void main() {
   const SolidData s = solids[v_solid];
+  if (s.material == kMaterialUnlit) {
+    color = vec4(s.color, 1.0);
+    return;
+  }
   const vec3 normal = normalize(v_normal);
   const float facing = max(dot(normal, view.sun_direction), 0.0);
   const vec3 offset = normal * (s.kind >= kSolidSphere ? 0.04 + 0.15 * s.radius : 0.01);   // meshes lie inside their round bodies

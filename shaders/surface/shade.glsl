@@ -1,6 +1,6 @@
 // What a transparent fragment is, for every method alike: shade() is all they share, and what they do with it is the method.
 //
-// A texel of the puff textures holds (optical depth / kTextureDepth, normal u, normal v, openness); see effects/puff.comp.
+// A texel of the puff textures holds (optical depth / kTextureDepth, normal u, normal v, openness); see effects/puff_encode.comp.
 // Coverage is 1 - exp(-tau); a fragment lets 1 - coverage * (1 - transmission) of the light behind it pass, per channel.
 #ifndef PLUME_SURFACE_SHADE_GLSL
 #define PLUME_SURFACE_SHADE_GLSL
@@ -64,8 +64,9 @@ Fragment shade() {
   Fragment f;
   f.coverage = coverage_of(density_here);
   f.color = f.coverage * (v_sunlit.rgb * sun + v_ambient.rgb * texel.a);
-  // Thick parts and creases are hotter: green and blue rise faster than red. At the mean depth it is the colour as written.
-  const float heat = (2.0 - texel.a) * 2.0 * density_here / (1.0 + density_here);
+  // Thick parts and creases are hotter: green and blue rise faster than red. At the mean depth it is the colour as written;
+  // 1.8 cubed times the brightest radiance a preset may ask for (10 000) still fits a half float.
+  const float heat = min((2.0 - texel.a) * 2.0 * density_here / (1.0 + density_here), 1.8);
   f.emission = v_emission.rgb * heat * vec3(1.0, heat, heat * heat);
   f.transmission = v_transmission.rgb;
   f.depth = v_uv_depth.z;

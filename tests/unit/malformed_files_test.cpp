@@ -19,8 +19,8 @@ std::vector<fs::path> malformed_files() {
   std::vector<fs::path> files;
   std::error_code absent;  // then AreManyOfEachKind fails
   for (const auto& entry :
-       fs::recursive_directory_iterator(fs::path(PLUME_SOURCE_PRESETS) / "../tests/malformed", absent))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path().lexically_normal());
+       fs::recursive_directory_iterator(fs::path(PLUME_SOURCE_TESTS) / "malformed", absent))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -75,8 +75,8 @@ TEST_P(MalformedFile, IsToldWhatWouldBeRight) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, MalformedFile, testing::ValuesIn(malformed_files()), [](const auto& info) {
-  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+INSTANTIATE_TEST_SUITE_P(, MalformedFile, testing::ValuesIn(malformed_files()), [](const auto& file) {
+  std::string name = file.param.parent_path().filename().string() + "_" + file.param.stem().string();
   std::ranges::replace_if(
       name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;
