@@ -1,7 +1,10 @@
 // Arguments to one command, and every way to fail to its exit code.
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <new>
+#include <system_error>
 
 #include "renderer/gpu/errors.h"
 #include "renderer/parameters.h"
@@ -10,18 +13,21 @@
 namespace {
 
 /// CLI11 says what it did not expect; people want to know what they meant.
-std::string with_nearest(const CLI::App& program, const CLI::ParseError& error) {
-  std::string message = error.what();
+std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   const auto used = program.get_subcommands();
-  const CLI::App& command = used.empty() ? program : *used.front();
+  const std::vector<std::string> extras = program.remaining(true);
   std::vector<std::string> valid;
-  for (const CLI::Option* option : command.get_options())
+  for (const CLI::Option* option : (used.empty() ? program : *used.front()).get_options())
     for (const std::string& name : option->get_lnames()) valid.push_back("--" + name);
-  for (const CLI::App* sub : command.get_subcommands({})) valid.push_back(sub->get_name());
-  for (const std::string& extra : command.remaining())
-    if (const std::string close = plume::nearest(extra.substr(0, extra.find('=')), valid); !close.empty())
-      message += fmt::format("; did you mean {}?", close);
-  return message;
+  if (used.empty()) {
+    for (const CLI::App* command : program.get_subcommands({})) valid.push_back(command->get_name());
+    if (extras.empty()) return fmt::format("a command is missing, expected one of `{}`", fmt::join(valid, "`, `"));
+    return fmt::format("unknown command `{}`, {}", extras.front(), plume::suggestion(extras.front(), valid));
+  }
+  const auto flag = std::find_if(extras.begin(), extras.end(), [](const std::string& e) { return e.starts_with('-'); });
+  if (flag == extras.end()) return error.what();
+  const std::string name = flag->substr(0, flag->find('='));
+  return fmt::format("unknown flag `{}` of {}, {}", name, used.front()->get_name(), plume::suggestion(name, valid));
 }
 
 int fail(int code, const std::string& message) {
@@ -40,19 +46,23 @@ int main(int argc, char** argv) {
   for (auto* add : {add_compare, add_replay, add_diff, add_check, add_list}) add(program, run);
   try {
     program.parse(argc, argv);
+    const int code = run();
+    if (std::fflush(stdout) != 0)
+      return fail(kBadUsage, fmt::format("standard output: {}", std::generic_category().message(errno)));
+    return code;
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", program.help());
     return kDone;
   } catch (const CLI::ParseError& error) {
-    return fail(kBadUsage, with_nearest(program, error));
-  }
-
-  try {
-    return run();
+    return fail(kBadUsage, explain(program, error));
   } catch (const gpu::NoUsableDevice& error) {
     return fail(kNoDevice, error.what());
   } catch (const gpu::DeviceFailure& error) {
     return fail(kDeviceFailed, error.what());
+  } catch (const vk::SystemError& error) {
+    return fail(kDeviceFailed, fmt::format("the device failed: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    return fail(kDeviceFailed, "out of memory");
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
   } catch (const std::exception& error) {   // an input file, an argument, a folder: the message says which

@@ -134,9 +134,12 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
   names_.push_back(label);
   if (device_.has_debug_labels()) commands_.beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
   commands_.fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
-  // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass reads 0.02 ms).
+  // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass reads 0.02 ms). It also puts
+  // the stamp itself into the batch of the last framebuffer, which a dispatch overtakes: without the barrier behind the first
+  // stamp, a 48 ms dispatch that follows any drawing reads 0.1 ms.
   full_barrier();
   commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index);
+  full_barrier();
   Pass pass(commands_, pipelines_);
   record(pass);
   full_barrier();

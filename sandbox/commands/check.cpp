@@ -23,7 +23,8 @@ int run_check(const CheckFlags& flags) {
     }
     if (diagnostics.empty() && !flags.json) fmt::print("{}: ok\n", file);
   }
-  if (flags.json) fmt::print("{}\n", found.dump(2));
+  // A file's name, or what it holds, may not be UTF-8.
+  if (flags.json) fmt::print("{}\n", found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   return found.empty() ? kDone : kBadUsage;
 }
 

@@ -30,8 +30,10 @@ struct UsageError : std::runtime_error {
 
 /// The flags that all drawing commands take.
 struct DrawFlags {
-  std::string size, device, shard, shaders;
+  std::string device, shaders;
+  std::optional<glm::uvec2> size;
   std::optional<uint32_t> seed;
+  Shard shard;
   std::vector<std::string> set;
   bool resume = false, validate = false, json = false;
   uint64_t memory_limit_mib = 0;
@@ -39,8 +41,6 @@ struct DrawFlags {
 };
 void add_draw_flags(CLI::App& command, DrawFlags& flags);
 
-glm::uvec2 parse_size(const std::string& text);
-Shard parse_shard(const std::string& text);
 /// Applies every `--set method.parameter=value` to the methods of that id that do not name the parameter themselves.
 void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays);
 

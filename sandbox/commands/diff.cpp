@@ -35,6 +35,9 @@ Pair read_pair(const std::string& path) {
 
 int run_diff(const DiffFlags& flags) {
   const Pair a = read_pair(flags.a), b = read_pair(flags.b);
+  if (a.display.width != b.display.width || a.display.height != b.display.height)
+    throw UsageError(fmt::format("{} is {}x{} and {} is {}x{}: the sizes must be equal", flags.a, a.display.width,
+                                 a.display.height, flags.b, b.display.width, b.display.height));
   const MaxError worst = max_abs(a.linear, b.linear);
   const FlipResult difference = flip(a.display, b.display);
   const double error = rmse(a.linear, b.linear), psnr = psnr_db(a.display, b.display), similarity = ssim(a.display, b.display);
@@ -64,6 +67,13 @@ int run_diff(const DiffFlags& flags) {
   return exceeded.empty() ? kDone : kToleranceExceeded;
 }
 
+/// Not "nan", which nothing is over or under.
+std::string finite(const std::string& text) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value)) return "";
+  return fmt::format("{} is given, expected a number such as 0.01", text);
+}
+
 }  // namespace
 
 void add_diff(CLI::App& program, Run& run) {
@@ -71,11 +81,11 @@ void add_diff(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("diff", "image metrics between two PNG or EXR files, as JSON");
   command->add_option("A", flags->a, "the reference")->required();
   command->add_option("B", flags->b, "the image to judge")->required();
-  command->add_option("--max-rmse", flags->max_rmse, "exit 1 when the RMSE (linear) is over this");
-  command->add_option("--max-abs", flags->max_abs, "exit 1 when any channel (linear) differs by more");
-  command->add_option("--max-flip", flags->max_flip, "exit 1 when the mean FLIP error is over this");
-  command->add_option("--min-psnr", flags->min_psnr, "exit 1 when the PSNR (displayed, dB) is under this");
-  command->add_option("--min-ssim", flags->min_ssim, "exit 1 when the SSIM (displayed) is under this");
+  command->add_option("--max-rmse", flags->max_rmse, "exit 1 when the RMSE (linear) is over this")->check(finite);
+  command->add_option("--max-abs", flags->max_abs, "exit 1 when any channel (linear) differs by more")->check(finite);
+  command->add_option("--max-flip", flags->max_flip, "exit 1 when the mean FLIP error is over this")->check(finite);
+  command->add_option("--min-psnr", flags->min_psnr, "exit 1 when the PSNR (displayed, dB) is under this")->check(finite);
+  command->add_option("--min-ssim", flags->min_ssim, "exit 1 when the SSIM (displayed) is under this")->check(finite);
   command->add_option("--error-map", flags->error_map, "write the FLIP map to this PNG, magma, 0 to 1");
   command->callback([flags, &run] { run = [flags] { return run_diff(*flags); }; });
 }

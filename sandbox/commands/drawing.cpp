@@ -26,17 +26,21 @@ std::string duration(double seconds) {
 /// One line that is rewritten on a terminal, plain lines in a pipe.
 class Progress {
  public:
+  ~Progress() {
+    if (line_is_open_) fmt::print(stderr, "\n");
+  }
   void operator()(size_t done, size_t total, const std::string& what) {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const std::string eta = done < total ? duration(elapsed / double(done) * double(total - done)) + " left" : "done in " + duration(elapsed);
+    line_is_open_ = terminal_ && done < total;
     fmt::print(stderr, "{}[{}/{}] {} · {}{}", terminal_ ? "\r\x1b[K" : "", done, total, what, eta,
-               terminal_ && done < total ? "" : "\n");
+               line_is_open_ ? "" : "\n");
     std::fflush(stderr);
   }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool terminal_ = isatty(STDERR_FILENO);
+  bool terminal_ = isatty(STDERR_FILENO), line_is_open_ = false;
 };
 
 /// A whole unsigned number, or nothing.
@@ -52,30 +56,6 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   const size_t at = text.find(separator);
   if (at == std::string::npos) return std::nullopt;
   return std::pair{text.substr(0, at), text.substr(at + 1)};
-}
-
-gpu::DeviceOptions device_options(const DrawFlags& flags) {
-  const char* fault = std::getenv("PLUME_FAULT");   // tests inject what drivers rarely do
-  return {.select = flags.device,
-          .validate = flags.validate,
-          .memory_limit_bytes = flags.memory_limit_mib << 20,
-          .fault = fault ? fault : ""};
-}
-
-}  // namespace
-
-void add_draw_flags(CLI::App& command, DrawFlags& flags) {
-  command.add_option("--size", flags.size, "picture size, WxH, 1x1 to 16384x16384");
-  command.add_option("--seed", flags.seed, "instead of the scene's");
-  command.add_option("--device", flags.device, "part of a device's name, or its index in `plume list devices`");
-  command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`");
-  command.add_option("--shard", flags.shard, "I/N: only the I-th of N parts of the ticks, from 0");
-  command.add_flag("--resume", flags.resume, "keep what results.json in --out has and do the rest");
-  command.add_flag("--validate", flags.validate, "run with the Vulkan validation layer; any message makes the exit code 1");
-  command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
-  command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")->capture_default_str();
-  command.add_option("--shaders", flags.shaders, "compile shaders from this folder instead of the embedded ones");
-  command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used");
 }
 
 glm::uvec2 parse_size(const std::string& text) {
@@ -97,6 +77,36 @@ Shard parse_shard(const std::string& text) {
   return {*index, *count};
 }
 
+gpu::DeviceOptions device_options(const DrawFlags& flags) {
+  const char* fault = std::getenv("PLUME_FAULT");   // tests inject what drivers rarely do
+  return {.select = flags.device,
+          .validate = flags.validate,
+          .memory_limit_bytes = flags.memory_limit_mib << 20,
+          .fault = fault ? fault : ""};
+}
+
+}  // namespace
+
+void add_draw_flags(CLI::App& command, DrawFlags& flags) {
+  command.add_option_function<std::string>(
+      "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
+      "picture size, WxH, 1x1 to 16384x16384");
+  command.add_option("--seed", flags.seed, "instead of the scene's")->check(CLI::Range(uint32_t(0), UINT32_MAX));
+  command.add_option("--device", flags.device, "part of a device's name, or its index in `plume list devices`");
+  command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`")->allow_extra_args(false);
+  command.add_option_function<std::string>(
+      "--shard", [&flags](const std::string& text) { flags.shard = parse_shard(text); },
+      "I/N: only the I-th of N parts of the ticks, from 0");
+  command.add_flag("--resume", flags.resume,
+                   "keep the frames in --out and draw what is missing; scenes, scripts and --seed as before");
+  command.add_flag("--validate", flags.validate, "run with the Vulkan validation layer; any message makes the exit code 1");
+  command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
+  command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")->capture_default_str();
+  command.add_option("--shaders", flags.shaders, "compile shaders from this folder instead of the embedded ones");
+  command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
+      ->check(CLI::Range(1, 1 << 24));
+}
+
 void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays) {
   for (const std::string& setting : settings) {
     const auto assignment = split(setting, '=');
@@ -104,15 +114,17 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Replay
     if (!name)
       throw UsageError(fmt::format("--set {}: expected method.parameter=value, such as wboit.weight=eq9", setting));
     const auto method = make_method(name->first);
-    if (!method) {
-      const std::string close = nearest(name->first, method_ids());
-      throw UsageError(fmt::format("--set {}: there is no method '{}'{}", setting, name->first,
-                                   close.empty() ? "" : fmt::format("; did you mean '{}'?", close)));
-    }
+    if (!method)
+      throw UsageError(fmt::format("--set {}: unknown method `{}`, {}", setting, name->first,
+                                   suggestion(name->first, method_ids())));
     set_parameter(*method, name->second, assignment->second);   // says what is wrong before anything runs
+    bool changes = false;
     for (Replay& replay : replays)
       for (MethodRun& run : replay.methods)
-        if (run.id == name->first) run.settings.try_emplace(name->second, assignment->second);
+        if (run.id == name->first) changes |= run.settings.try_emplace(name->second, assignment->second).second;
+    if (!changes)
+      throw UsageError(fmt::format("--set {}: changes nothing, since {} is not drawn or has its {} set already", setting,
+                                   name->first, name->second));
   }
 }
 
@@ -121,18 +133,20 @@ GpuSession::GpuSession(const DrawFlags& flags)
 
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags) {
   for (Replay& replay : replays) {
-    if (!flags.size.empty()) replay.size = parse_size(flags.size);
+    if (flags.size) replay.size = *flags.size;
     if (flags.seed) replay.seed = flags.seed;
   }
   apply_settings(flags.set, replays);
-  const Shard shard = flags.shard.empty() ? Shard{} : parse_shard(flags.shard);
 
-  std::signal(SIGINT, [](int) { g_interrupted = 1; });
+  std::signal(SIGINT, [](int) {
+    g_interrupted = 1;
+    std::signal(SIGINT, SIG_DFL);   // who asks twice does not want to wait for the frame
+  });
   GpuSession session(flags);
   Progress progress;
   const Results results =
       measure(session.device, session.pipelines, library, replays,
-              {.out = flags.out, .resume = flags.resume, .shard = shard, .progress = std::ref(progress),
+              {.out = flags.out, .resume = flags.resume, .shard = flags.shard, .progress = std::ref(progress),
                .interrupted = [] { return g_interrupted != 0; }});
   write_report(std::filesystem::path(flags.out) / "report.html", results);
 

@@ -142,7 +142,11 @@ void add_list(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("list", "what methods, effects, scenes, replays and devices there are");
   command->add_option("WHAT", flags->what, "methods, effects, scenes, replays or devices")
       ->required()
-      ->check(CLI::IsMember({"methods", "effects", "scenes", "replays", "devices"}));
+      ->check([](const std::string& what) {
+        const std::vector<std::string> known{"methods", "effects", "scenes", "replays", "devices"};
+        const bool found = std::find(known.begin(), known.end(), what) != known.end();
+        return found ? "" : fmt::format("unknown list `{}`, {}", what, suggestion(what, known));
+      });
   command->add_flag("--json", flags->json, "everything, for programs");
   command->callback([flags, &run] { run = [flags] { return run_list(*flags); }; });
 }

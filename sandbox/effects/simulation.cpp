@@ -14,6 +14,10 @@ struct SimulationPush {
   uint32_t threads, span_count, tick;
 };
 
+struct CardsPush {
+  uint32_t threads, span_count, first_card;
+};
+
 constexpr uint32_t kGroupSize = 64;
 
 /// A host-visible buffer that holds `data`, made anew only when it has outgrown the old one.
@@ -75,66 +79,93 @@ bool Simulation::wake_and_sleep(uint32_t tick) {
   return true;
 }
 
-void Simulation::make_spans(uint32_t tick, bool with_births) {
-  span_list_.clear();
-  threads_ = 0;
-  std::vector<uint32_t> births;
+void Simulation::make_spans(SpanList& list,
+                            const std::function<std::pair<uint64_t, uint64_t>(const EmitterState&)>& window) {
+  list.spans.clear();
+  list.threads = 0;
   uint32_t base = 0;
   for (uint32_t i = 0; i < emitters_.size(); ++i) {
     const EmitterState& emitter = emitters_[i];
     if (!emitter.awake) continue;
-    const uint32_t local = local_tick(emitter, tick);
-    const uint64_t first = emitter.schedule.first_alive(local), born = emitter.schedule.births(local);
-    Span span{.emitter = i,
-              .first = uint32_t(first),
-              .count = uint32_t(born - first),
-              .fresh = local > 0 ? uint32_t(emitter.schedule.births(local - 1)) : 0,
-              .base = base,
-              .capacity = uint32_t(emitter.schedule.capacity()),
-              .offset = threads_,
-              .births_base = uint32_t(births.size()),
-              .births_tick = local - std::min(local, emitter.max_life),
-              .births_count = 0};
-    if (with_births) {
-      for (uint32_t t = span.births_tick; t <= local; ++t) births.push_back(uint32_t(emitter.schedule.births(t)));
-      span.births_count = uint32_t(births.size()) - span.births_base;
+    const uint32_t capacity = uint32_t(emitter.schedule.capacity());
+    const auto [first, end] = window(emitter);
+    if (end > first) {
+      list.spans.push_back({.emitter = i,
+                            .first = uint32_t(first),
+                            .count = uint32_t(end - first),
+                            .base = base,
+                            .capacity = capacity,
+                            .first_slot = uint32_t(first % capacity),
+                            .offset = list.threads});
+      list.threads += list.spans.back().count;
     }
-    base += span.capacity;
-    threads_ += span.count;
-    span_list_.push_back(span);
+    base += capacity;
   }
-  upload(device_, spans_, "spans", span_list_);
-  if (with_births) upload(device_, births_, "births", births);
 }
 
-std::vector<gpu::PassTime> Simulation::dispatch(const char* name, const char* shader, uint32_t tick) {
-  if (threads_ == 0) return {};
-  gpu::Frame frame(device_, pipelines_);
-  frame.pass(name, [&](gpu::Pass& pass) {
-    pass.dispatch(pipelines_.compute(shader),
-                  {{"Particles", &particles_}, {"Spans", &spans_}, {"Emitters", &emitter_data_}, {"Births", &births_}},
-                  SimulationPush{.threads = threads_, .span_count = uint32_t(span_list_.size()), .tick = tick},
-                  {gpu::groups(threads_, kGroupSize), 1, 1});
-  });
-  return frame.finish();
+void Simulation::make_birth_table(SpanList& list, uint32_t tick) {
+  std::vector<uint32_t> births;
+  for (Span& span : list.spans) {
+    const EmitterState& emitter = emitters_[span.emitter];
+    const uint32_t local = local_tick(emitter, tick);
+    span.births_base = uint32_t(births.size());
+    span.births_tick = emitter.schedule.birth_tick(span.first);
+    for (uint32_t t = span.births_tick; t <= local; ++t) births.push_back(uint32_t(emitter.schedule.births(t)));
+    span.births_count = uint32_t(births.size()) - span.births_base;
+  }
+  upload(device_, births_, "births", births);
+}
+
+void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list, uint32_t tick) const {
+  if (list.threads == 0) return;
+  pass.dispatch(pipelines_.compute(shader),
+                {{"Particles", &particles_}, {"Spans", &list.buffer}, {"Emitters", &emitter_data_}, {"Births", &births_}},
+                SimulationPush{.threads = list.threads, .span_count = uint32_t(list.spans.size()), .tick = tick},
+                {gpu::groups(list.threads, kGroupSize), 1, 1});
 }
 
 std::vector<gpu::PassTime> Simulation::seek(uint32_t tick) {
   wake_and_sleep(tick);
-  make_spans(tick, true);
+  make_spans(living_, [&](const EmitterState& emitter) {
+    const uint32_t local = local_tick(emitter, tick);
+    return std::pair(emitter.schedule.first_alive(local), emitter.schedule.births(local));
+  });
+  make_birth_table(living_, tick);
+  upload(device_, living_.buffer, "living", living_.spans);
   tick_ = tick;
   count_demand(tick, true);
-  return dispatch("seek", "effects/seek.comp", tick);
+  if (living_.threads == 0) return {};
+  gpu::Frame frame(device_, pipelines_);
+  frame.pass("seek", [&](gpu::Pass& pass) { record(pass, "effects/seek.comp", living_, tick); });
+  return frame.finish();
 }
 
 std::vector<gpu::PassTime> Simulation::step() {
   const uint32_t tick = tick_.value() + 1;
   // The pool is laid out for what is awake: when that changes, everybody is brought to the new tick directly.
   if (wake_and_sleep(tick)) return seek(tick);
-  make_spans(tick, false);
+  const auto born_before = [&](const EmitterState& emitter) {
+    const uint32_t local = local_tick(emitter, tick);
+    return local > 0 ? emitter.schedule.births(local - 1) : 0;
+  };
+  const auto alive_from = [&](const EmitterState& emitter) { return emitter.schedule.first_alive(local_tick(emitter, tick)); };
+  const auto born_until = [&](const EmitterState& emitter) { return emitter.schedule.births(local_tick(emitter, tick)); };
+  make_spans(living_, [&](const EmitterState& e) { return std::pair(alive_from(e), born_until(e)); });
+  make_spans(moving_, [&](const EmitterState& e) { return std::pair(alive_from(e), born_before(e)); });
+  make_spans(fresh_, [&](const EmitterState& e) { return std::pair(born_before(e), born_until(e)); });
+  make_birth_table(fresh_, tick);
+  upload(device_, living_.buffer, "living", living_.spans);
+  upload(device_, moving_.buffer, "moving", moving_.spans);
+  upload(device_, fresh_.buffer, "fresh", fresh_.spans);
   tick_ = tick;
   count_demand(tick, false);
-  return dispatch("step", "effects/tick.comp", tick);
+  if (living_.threads == 0) return {};
+  gpu::Frame frame(device_, pipelines_);
+  frame.pass("step", [&](gpu::Pass& pass) {   // both at once: they touch different slots
+    record(pass, "effects/tick.comp", moving_, tick);
+    record(pass, "effects/seek.comp", fresh_, tick);
+  });
+  return frame.finish();
 }
 
 std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
@@ -145,23 +176,23 @@ std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
 
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                               uint32_t first_card) const {
-  if (threads_ == 0) return;
+  if (living_.threads == 0) return;
   pass.dispatch(pipelines_.compute("effects/cards.comp"),
                 {{"Particles", &particles_},
-                 {"Spans", &spans_},
+                 {"Spans", &living_.buffer},
                  {"Emitters", &emitter_data_},
                  {"View", &view},
                  {"Curves", &curves_},
                  {"Cards", &cards}},
-                SimulationPush{.threads = threads_, .span_count = uint32_t(span_list_.size()), .tick = first_card},
-                {gpu::groups(threads_, kGroupSize), 1, 1});
+                CardsPush{.threads = living_.threads, .span_count = uint32_t(living_.spans.size()), .first_card = first_card},
+                {gpu::groups(living_.threads, kGroupSize), 1, 1});
 }
 
 std::vector<Particle> Simulation::particles() const {
   std::vector<Particle> result;
-  if (threads_ == 0) return result;
+  if (living_.threads == 0) return result;
   const auto pool = gpu::read<Particle>(device_, particles_);
-  for (const Span& span : span_list_)
+  for (const Span& span : living_.spans)
     for (uint32_t i = 0; i < span.count; ++i) result.push_back(pool[span.base + (span.first + i) % span.capacity]);
   return result;
 }
@@ -177,7 +208,7 @@ void Simulation::count_demand(uint32_t tick, bool seeking) {
   std::vector<uint64_t> longest(calls_.size(), 0);
   for (CallState& call : calls_) call.demand.awake = false, call.demand.bytes = 0;
   std::vector<uint64_t> living(calls_.size(), 0);
-  for (const Span& span : span_list_) {
+  for (const Span& span : living_.spans) {
     const EmitterState& emitter = emitters_[span.emitter];
     InstanceDemand& demand = calls_[emitter.call].demand;
     demand.awake = true;

@@ -26,7 +26,7 @@ class Simulation {
 
   uint32_t tick() const { return tick_.value(); }
   /// Cards that record_cards() writes: the living and the just dead.
-  uint32_t cards() const { return threads_; }
+  uint32_t cards() const { return living_.threads; }
   void record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards, uint32_t first_card) const;
 
   /// The states of all particles in the living windows, in the order of emitters and births. Waits for the device.
@@ -52,8 +52,15 @@ class Simulation {
   uint32_t local_tick(const EmitterState& emitter, uint32_t tick) const { return tick - calls_[emitter.call].call.tick; }
   bool has_living(const EmitterState& emitter, uint32_t tick) const;
   bool wake_and_sleep(uint32_t tick);
-  void make_spans(uint32_t tick, bool with_births);
-  std::vector<gpu::PassTime> dispatch(const char* pass, const char* shader, uint32_t tick);
+  struct SpanList {
+    std::vector<shared::Span> spans;
+    gpu::Buffer buffer;
+    uint32_t threads = 0;
+  };
+  /// One span per awake emitter of the births that `window` gives for it, empty ones left out.
+  void make_spans(SpanList& list, const std::function<std::pair<uint64_t, uint64_t>(const EmitterState&)>& window);
+  void make_birth_table(SpanList& list, uint32_t tick);
+  void record(gpu::Pass& pass, const char* shader, const SpanList& list, uint32_t tick) const;
   void count_demand(uint32_t tick, bool seeking);
 
   gpu::Device& device_;
@@ -61,9 +68,10 @@ class Simulation {
   std::vector<CallState> calls_;
   std::vector<EmitterState> emitters_;
   gpu::Buffer emitter_data_, curves_;
-  gpu::Buffer particles_, spans_, births_;
-  std::vector<shared::Span> span_list_;
-  uint32_t threads_ = 0;
+  gpu::Buffer particles_, births_;
+  SpanList living_;    // every particle that can be alive at this tick: what cards are made of
+  SpanList moving_;    // those that were there before this tick
+  SpanList fresh_;     // those born at this tick
   std::optional<uint32_t> tick_;
 };
 

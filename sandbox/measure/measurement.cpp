@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <thread>
 
 #include "renderer/methods/methods.h"
@@ -25,17 +26,47 @@ using nlohmann::json;
 struct Contender {
   MethodInstance instance;
   json settings;
-  std::string label;                  // file-name part: the id, and the settings that the replay names
+  std::string label;
   std::vector<std::string> missing;   // of the device
   std::vector<std::vector<gpu::PassTime>> samples;
   std::optional<DrawnPicture> picture;
 };
 
-bool is_finished(const Results& results, const FrameResult& wanted) {
-  return std::any_of(results.frames.begin(), results.frames.end(), [&](const FrameResult& f) {
-    return f.scene == wanted.scene && f.tick == wanted.tick && f.width == wanted.width && f.height == wanted.height &&
-           f.method == wanted.method && f.settings == wanted.settings;
-  });
+/// A frame before it is measured: what is known of it, and which files it will leave.
+struct Job {
+  FrameResult frame;
+  std::string hdr;   // "" = not asked for
+};
+
+bool is_same(const FrameResult& a, const FrameResult& b) {
+  return a.scene == b.scene && a.tick == b.tick && a.width == b.width && a.height == b.height && a.method == b.method &&
+         a.settings == b.settings;
+}
+
+bool shares_file(const FrameResult& a, const FrameResult& b) {
+  return (!a.image.empty() && a.image == b.image) || (!a.error_map.empty() && a.error_map == b.error_map);
+}
+
+/// The part of a file name that tells a replay's methods apart: the id, and the settings that the replay names.
+std::string label_of(const MethodRun& run) {
+  std::string label = run.id;
+  for (const auto& [name, value] : run.settings) label += fmt::format("-{}-{}", name, value);
+  return label;
+}
+
+std::string stem_of(const std::string& scene, uint32_t tick, const std::string& label) {
+  return fmt::format("{}_{:06}_{}", scene, tick, label);
+}
+
+void refuse_shared_files(const std::vector<Replay>& replays, const std::vector<Scene>& scenes) {
+  std::set<std::string> stems;
+  for (size_t i = 0; i < replays.size(); ++i)
+    for (const uint32_t tick : replays[i].ticks)
+      for (const MethodRun& run : replays[i].methods)
+        if (!stems.insert(stem_of(scenes[i].id, tick, label_of(run))).second)
+          throw std::runtime_error(fmt::format("{} at tick {} with {} is asked for twice, and the second would overwrite the "
+                                               "files of the first: run them with an --out each",
+                                               scenes[i].id, tick, label_of(run)));
 }
 
 ErrorSummary compare(const DrawnPicture& reference, const DrawnPicture& test, Raster<float>& map) {
@@ -76,9 +107,7 @@ json demand_json(const Stage& stage, const gpu::Pipelines& pipelines) {
                          {"ticks_simulated", d.ticks_simulated},
                          {"dispatches", d.dispatches},
                          {"bytes", d.bytes}});
-  return {{"scene", stage.scene().id},
-          {"tick", stage.simulation().tick()},
-          {"instances", instances},
+  return {{"instances", instances},
           {"pipelines", pipelines.count()},
           {"state_hash", fmt::format("{:016x}", stage.simulation().state_hash())}};
 }
@@ -88,17 +117,23 @@ class Measurement {
   Measurement(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library,
               const MeasurementOptions& options)
       : device_(device), pipelines_(pipelines), library_(library), options_(options) {
-    std::filesystem::create_directories(options.out);
-    const auto manifest = options.out / "results.json";
-    if (options.resume && std::filesystem::exists(manifest)) results_ = read_results(manifest);
+    std::error_code failure;
+    std::filesystem::create_directories(options.out, failure);
+    if (failure) throw FileError(options.out, failure.message());
     results_.environment = environment(device);
+    const auto manifest = options.out / "results.json";
+    if (options.resume && std::filesystem::exists(manifest)) go_on_from(manifest);
   }
 
   Results run(const std::vector<Replay>& replays) {
+    std::vector<Scene> scenes;   // all before any is drawn: a mistake in the last must not cost the work on the first
+    for (const Replay& replay : replays) scenes.push_back(scene_of(replay));
+    refuse_shared_files(replays, scenes);
     for (const Replay& replay : replays) total_ += replay.ticks.size();
     total_ = (total_ + options_.shard.count - 1 - options_.shard.index) / options_.shard.count;
-    size_t job = 0;
-    for (const Replay& replay : replays) run_replay(replay, job);
+    write_manifest();   // what an earlier run left here is over from now on
+    size_t ticks = 0;
+    for (size_t i = 0; i < replays.size(); ++i) run_replay(replays[i], std::move(scenes[i]), ticks);
     write_manifest();
     return std::move(results_);
   }
@@ -109,14 +144,29 @@ class Measurement {
             {"build", build_name()},        {"commit", build_commit()},       {"threads", std::thread::hardware_concurrency()}};
   }
 
-  void run_replay(const Replay& replay, size_t& job) {
+  /// Takes over what an earlier run measured, unless its numbers would be passed off as another device's or build's.
+  void go_on_from(const std::filesystem::path& manifest) {
+    Results before = read_results(manifest);
+    for (const auto& [name, value] : results_.environment.items())
+      if (const json other = before.environment.value(name, json()); other != value)
+        throw std::runtime_error(fmt::format("{} was measured with {} {}, this is {}: leave out --resume or choose another --out",
+                                             manifest.string(), name, other.dump(), value.dump()));
+    results_ = std::move(before);
+  }
+
+  Scene scene_of(const Replay& replay) const {
     Scene scene = library_.scene(replay.scene);
     if (auto unknown = check_references(scene, library_); !unknown.empty()) throw FileErrors(std::move(unknown));
     if (replay.seed) scene.seed = *replay.seed;
     if (!replay.camera.empty()) scene.camera = replay.camera;
+    return scene;
+  }
+
+  /// `counted` goes over the ticks of all replays, so that shards share them evenly.
+  void run_replay(const Replay& replay, Scene scene, size_t& counted) {
     std::vector<uint32_t> ticks;
     for (const uint32_t tick : replay.ticks)
-      if (job++ % options_.shard.count == options_.shard.index) ticks.push_back(tick);
+      if (counted++ % options_.shard.count == options_.shard.index) ticks.push_back(tick);
     if (ticks.empty()) return;
 
     Stage stage(device_, pipelines_, library_, std::move(scene));
@@ -130,12 +180,8 @@ class Measurement {
     for (const MethodRun& run : replay.methods) {
       Contender c;
       c.instance.method = make_method(run.id);
-      c.label = run.id;
-      for (const auto& [name, value] : run.settings) {
-        set_parameter(*c.instance.method, name, value);
-        c.label += fmt::format("-{}-{}", name, value);
-      }
-      c.instance.owner = c.label;
+      for (const auto& [name, value] : run.settings) set_parameter(*c.instance.method, name, value);
+      c.instance.owner = c.label = label_of(run);
       c.settings = parameter_values(*c.instance.method);
       c.missing = c.instance.method->missing(device_);
       contenders.push_back(std::move(c));
@@ -143,29 +189,58 @@ class Measurement {
     return contenders;
   }
 
-  static FrameResult frame_of(const Replay& replay, const Stage& stage, const Contender& contender, uint32_t tick) {
-    FrameResult frame;
+  static Job job_of(const Replay& replay, const Stage& stage, const Contender& contender, uint32_t tick) {
+    Job job;
+    FrameResult& frame = job.frame;
     frame.scene = stage.scene().id;
     frame.tick = tick;
     frame.width = replay.size.x;
     frame.height = replay.size.y;
     frame.method = contender.instance.method->id();
     frame.settings = contender.settings;
-    return frame;
+    if (!contender.missing.empty()) {
+      frame.status = fmt::format("unavailable: needs {}", fmt::join(contender.missing, ", "));
+      return job;
+    }
+    const Capture& capture = replay.capture;
+    if (!capture.ticks.empty() && !std::ranges::binary_search(capture.ticks, tick)) return job;
+    const std::string stem = stem_of(frame.scene, tick, contender.label);
+    if (capture.images) frame.image = stem + ".png";
+    if (capture.error_maps) frame.error_map = stem + "_error.png";
+    if (capture.hdr) job.hdr = stem + ".exr";
+    return job;
+  }
+
+  std::vector<FrameResult>::iterator first_unplaced() { return results_.frames.begin() + std::ptrdiff_t(placed_); }
+
+  /// What an earlier run left of the job; the end when not all of it is there.
+  std::vector<FrameResult>::iterator finished(const Job& job) {
+    for (const std::string& file : {job.frame.image, job.frame.error_map, job.hdr})
+      if (!file.empty() && !std::filesystem::exists(options_.out / file)) return results_.frames.end();
+    return std::find_if(first_unplaced(), results_.frames.end(), [&](const FrameResult& f) {
+      return is_same(f, job.frame) && f.image == job.frame.image && f.error_map == job.frame.error_map;
+    });
   }
 
   void run_tick(const Replay& replay, Stage& stage, const Targets& targets, std::vector<Contender>& contenders,
                 uint32_t tick) {
-    const bool all_done = std::all_of(contenders.begin(), contenders.end(), [&](const Contender& c) {
-      return is_finished(results_, frame_of(replay, stage, c, tick));
-    });
-    if (!all_done) {
-      if (options_.interrupted && options_.interrupted()) throw Interrupted();
+    std::vector<Job> jobs;
+    for (const Contender& c : contenders) jobs.push_back(job_of(replay, stage, c, tick));
+    const bool all_done =
+        std::ranges::all_of(jobs, [&](const Job& job) { return finished(job) != results_.frames.end(); });
+    if (all_done) {
+      for (const Job& job : jobs) place(finished(job));
+    } else {
+      stop_if_interrupted();
       stage.go_to(tick, replay.size);
       const DrawnPicture reference = draw_reference(stage, targets);
       for (Contender& c : contenders) c.samples.clear(), c.picture.reset();
       draw_contenders(replay, stage, targets, contenders);
-      for (Contender& c : contenders) record(replay, stage, c, tick, reference);
+      for (size_t i = 0; i < jobs.size(); ++i)
+        if (const auto before = finished(jobs[i]); before != results_.frames.end())
+          place(before);
+        else
+          record(std::move(jobs[i]), contenders[i], reference);
       results_.demand = demand_json(stage, pipelines_);
       write_manifest();
     }
@@ -185,39 +260,41 @@ class Measurement {
     for (uint32_t repetition = 0; repetition < replay.warmup + replay.frames; ++repetition)
       for (Contender& c : contenders) {
         if (!c.missing.empty()) continue;
+        stop_if_interrupted();
         auto report = render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
         if (repetition >= replay.warmup) c.samples.push_back(std::move(report.passes));
         if (!c.picture) c.picture = read_picture(device_, targets);
       }
   }
 
-  void record(const Replay& replay, const Stage& stage, const Contender& contender, uint32_t tick,
-              const DrawnPicture& reference) {
-    FrameResult frame = frame_of(replay, stage, contender, tick);
-    if (is_finished(results_, frame)) return;
-    if (!contender.missing.empty()) {
-      frame.status = fmt::format("unavailable: needs {}", fmt::join(contender.missing, ", "));
-      results_.frames.push_back(std::move(frame));
-      return;
-    }
-    summarise_passes(contender.samples, frame);
-    frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
-    Raster<float> error_map;
-    frame.error = compare(reference, *contender.picture, error_map);
+  void stop_if_interrupted() const {
+    if (options_.interrupted && options_.interrupted()) throw Interrupted();
+  }
 
-    const auto& wanted = replay.capture.ticks;
-    const bool capture = wanted.empty() || std::find(wanted.begin(), wanted.end(), tick) != wanted.end();
-    const std::string stem = fmt::format("{}_{:06}_{}", frame.scene, tick, contender.label);
-    if (capture && replay.capture.images) {
-      frame.image = stem + ".png";
-      write_png(options_.out / frame.image, contender.picture->display);
+  /// Measures and writes the files; replaces what earlier runs said of the same frame or the same files.
+  void record(Job job, const Contender& contender, const DrawnPicture& reference) {
+    FrameResult& frame = job.frame;
+    if (contender.missing.empty()) {
+      summarise_passes(contender.samples, frame);
+      frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
+      Raster<float> error_map;
+      frame.error = compare(reference, *contender.picture, error_map);
+      if (!frame.image.empty()) write_png(options_.out / frame.image, contender.picture->display);
+      if (!frame.error_map.empty()) write_png(options_.out / frame.error_map, magma_image(error_map));
+      if (!job.hdr.empty()) write_exr(options_.out / job.hdr, contender.picture->linear);
     }
-    if (capture && replay.capture.error_maps) {
-      frame.error_map = stem + "_error.png";
-      write_png(options_.out / frame.error_map, magma_image(error_map));
-    }
-    if (capture && replay.capture.hdr) write_exr(options_.out / (stem + ".exr"), contender.picture->linear);
+    const auto replaced = std::remove_if(first_unplaced(), results_.frames.end(), [&](const FrameResult& f) {
+      return is_same(f, frame) || shares_file(f, frame);
+    });
+    results_.frames.erase(replaced, results_.frames.end());
     results_.frames.push_back(std::move(frame));
+    place(results_.frames.end() - 1);
+  }
+
+  /// Frames stand in the order of the jobs, and after them what earlier runs left of jobs that are still to come.
+  void place(std::vector<FrameResult>::iterator frame) {
+    std::rotate(first_unplaced(), frame, frame + 1);
+    ++placed_;
   }
 
   void write_text(const char* name, const std::string& text) const {
@@ -234,7 +311,8 @@ class Measurement {
   const MeasurementOptions& options_;
   Results results_;
   MethodInstance reference_;
-  size_t total_ = 0, done_ = 0;
+  size_t total_ = 0, done_ = 0;   // ticks
+  size_t placed_ = 0;             // frames
 };
 
 }  // namespace

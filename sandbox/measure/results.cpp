@@ -24,7 +24,8 @@ json text_or_null(const std::string& text) { return text.empty() ? json(nullptr)
 std::string text_of(const json& value) { return value.is_null() ? "" : value.get<std::string>(); }
 
 /// A CSV field whatever is in it (RFC 4180).
-std::string quoted(const std::string& text) {
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"') out += '"';
@@ -120,8 +121,8 @@ std::string to_csv(const Results& results) {
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}", frame.scene, frame.tick, frame.width, frame.height, frame.method,
-                       quoted(frame.settings.dump()), quoted(frame.status), frame.gpu_ms, frame.memory_bytes);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width, frame.height, frame.method,
+                       csv_field(frame.settings.dump()), csv_field(frame.status), frame.gpu_ms, frame.memory_bytes);
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);

@@ -109,8 +109,8 @@ void main() {
   const uint thread = gl_GlobalInvocationID.x;
   if (thread >= threads) return;
   const Span span = span_of(thread, span_count);
-  const uint birth = span.first + (thread - span.offset);
-  const Particle p = particles[slot_of(span, birth)];
+  const uint index = thread - span.offset, birth = span.first + index;
+  const Particle p = particles[slot_of(span, index)];
   const uint age = p.age_and_emitter & kDeadAge;
   const EmitterData e = emitters[span.emitter];
   if (age == kDeadAge) cards[first_card + thread] = hidden_card();

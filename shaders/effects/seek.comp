@@ -29,8 +29,8 @@ void main() {
   if (thread >= threads) return;
   const Span span = span_of(thread, span_count);
   const EmitterData e = emitters[span.emitter];
-  const uint birth = span.first + (thread - span.offset);
-  const uint slot = slot_of(span, birth);
+  const uint index = thread - span.offset, birth = span.first + index;
+  const uint slot = slot_of(span, index);
   const uint key = particle_key(e, birth);
   const uint born = e.call_tick + birth_tick(span, birth);
   const uint age = tick - born;

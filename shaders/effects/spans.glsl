@@ -16,6 +16,10 @@ Span span_of(uint thread, uint span_count) {
   return spans[low];
 }
 
-uint slot_of(Span span, uint birth) { return span.base + birth % span.capacity; }
+// `index` counts from the span's first birth and is below its capacity.
+uint slot_of(Span span, uint index) {
+  const uint slot = span.first_slot + index;
+  return span.base + (slot < span.capacity ? slot : slot - span.capacity);
+}
 
 #endif

@@ -13,7 +13,7 @@ uint particle_key(EmitterData e, uint birth) { return hash_pair(e.seed, birth); 
 // The n-th random number of a particle, in [0, 1).
 float random(uint key, uint n) { return float(hash(key + n * 0x9e3779b9u) >> 8u) * (1.0 / 16777216.0); }
 
-uint life_of(EmitterData e, uint key) { return e.life_min + hash(key) % (e.life_max - e.life_min + 1u); }
+uint life_of(EmitterData e, uint key) { return e.life_min + uint(random(key, 0u) * float(e.life_max - e.life_min + 1u)); }
 
 vec3 rotate_yaw(EmitterData e, vec3 v) {
   precise vec3 r = vec3(v.x * e.yaw_cos + v.z * e.yaw_sin, v.y, v.z * e.yaw_cos - v.x * e.yaw_sin);
@@ -75,16 +75,14 @@ Motion birth_motion(EmitterData e, uint key) {
 Motion step_motion(EmitterData e, Motion m, uint age, uint tick) {
   precise vec3 acceleration = e.gravity;
   acceleration.y += e.buoyancy * exp(-float(age) * kTick * e.inv_cooling);
-  if ((e.flags & kEmitterCurl) != 0u) {
-    precise vec3 at = (m.position - e.origin) * e.curl_inv_scale;
-    at.y -= e.curl_speed * float(tick - e.call_tick) * kTick;
-    at += vec3(e.seed & 0xffu, (e.seed >> 8u) & 0xffu, (e.seed >> 16u) & 0xffu);
-    precise float strength = e.curl_strength;
-    for (uint octave = 0u; octave < e.curl_octaves; ++octave) {
-      acceleration += strength * curl_noise(at);
-      at = at * 2.03 + 17.3;
-      strength *= 0.5;
-    }
+  precise vec3 at = (m.position - e.origin) * e.curl_inv_scale;
+  at.y -= e.curl_speed * float(tick - e.call_tick) * kTick;
+  at += vec3(e.seed & 0xffu, (e.seed >> 8u) & 0xffu, (e.seed >> 16u) & 0xffu);
+  precise float strength = e.curl_strength;
+  for (uint octave = 0u; octave < e.curl_octaves; ++octave) {
+    acceleration += strength * curl_noise(at);
+    at = at * 2.03 + 17.3;
+    strength *= 0.5;
   }
   precise vec2 arm = m.position.xz - e.origin.xz;
   precise float distance = sqrt(dot(arm, arm)) + 1e-6;

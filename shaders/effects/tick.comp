@@ -1,4 +1,4 @@
-// One tick for every particle of every awake emitter: births at this tick appear, the others move, the old die.
+// One tick for every particle of every awake emitter that was there before: it moves, or dies. Births are a seek to age 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "effects/spans.glsl"
@@ -17,13 +17,9 @@ void main() {
   if (thread >= threads) return;
   const Span span = span_of(thread, span_count);
   const EmitterData e = emitters[span.emitter];
-  const uint birth = span.first + (thread - span.offset);
-  const uint slot = slot_of(span, birth);
+  const uint index = thread - span.offset, birth = span.first + index;
+  const uint slot = slot_of(span, index);
   const uint key = particle_key(e, birth);
-  if (birth >= span.fresh) {
-    particles[slot] = living_particle(birth_motion(e, key), span.emitter, birth, 0u);
-    return;
-  }
   const Particle p = particles[slot];
   const uint age = p.age_and_emitter & kDeadAge;
   if (age == kDeadAge) return;

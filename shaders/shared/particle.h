@@ -62,16 +62,15 @@ struct EmitterData {
 };
 
 const uint kEmitterLit = 1u;
-const uint kEmitterCurl = 2u;
 
-// The living window of one emitter at a tick: births first .. first + count - 1 in slots base + birth mod capacity.
+// Births first .. first + count - 1 of one emitter. Birth k lives in slot base + k mod capacity.
 struct Span {
   uint emitter;
   uint first;             // birth index
   uint count;
-  uint fresh;             // births from here on happen at this tick
   uint base;              // slot
   uint capacity;          // slots
+  uint first_slot;        // first mod capacity: a division a thread saved
   uint offset;            // sum of counts before: first thread, first card
   uint births_base;       // catch-up: first entry of this emitter's births-by-tick table
   uint births_tick;       // catch-up: the tick (since the call) of that entry

@@ -1,0 +1,70 @@
+// The passes of the methods on the street: sort, splat and draw, in fragments per second, against a copy of what blending moves.
+#include "shaders/methods/reference.h"
+#include "tests/bench/gpu_bench.h"
+#include "renderer/radix_sort.h"
+
+namespace plume {
+namespace {
+
+constexpr double kBlendBytes = 16;   // RGBA16F, read and written
+
+struct Street {
+  Street() { stage.go_to(stage.scene().default_tick, targets.size); }
+  BenchDevice& bench = bench_device();
+  Stage stage{bench.device, bench.pipelines, bench.library, bench.library.scene("street")};
+  Targets targets{bench.device, {640, 360}};
+
+  MethodInstance method(std::string_view id) {
+    MethodInstance made{.method = make_method(id), .owner = std::string(id), .resources = {}};
+    draw(made);
+    return made;
+  }
+  std::vector<gpu::PassTime> draw(MethodInstance& method) {
+    return render_frame(bench.device, bench.pipelines, targets, stage.prelude(), stage.transparents(), method).passes;
+  }
+  /// Fragments that cover or emit anything, as the reference counts them.
+  double fragments() {
+    MethodInstance reference = method("reference");
+    return gpu::read<shared::FragmentPool>(bench.device, reference.resources.buffer("pool"))[0].count;
+  }
+};
+
+void BM_Pass(benchmark::State& state, const char* id, const char* pass) {
+  Street street;
+  const double fragments = street.fragments();
+  MethodInstance method = street.method(id);
+  AgainstCopy result(state, "fragments/s", fragments, kBlendBytes);
+  for (auto _ : state) result.add(seconds_of(street.draw(method), pass));
+}
+
+void BM_Sort(benchmark::State& state) {
+  BenchDevice& bench = bench_device();
+  const uint32_t count = uint32_t(state.range(0));
+  std::vector<glm::uvec2> pairs(count);
+  uint32_t random = 1;
+  for (glm::uvec2& pair : pairs) pair = {random = random * 1664525u + 1013904223u, 0};
+  const gpu::Buffer unsorted = gpu::make_buffer(bench.device, "bench", "unsorted", pairs);
+  const gpu::Buffer keys(bench.device, {.owner = "bench", .label = "keys", .bytes = unsorted.bytes()});
+  const gpu::Buffer scratch(bench.device, {.owner = "bench", .label = "scratch", .bytes = unsorted.bytes()});
+  const gpu::Buffer counts(bench.device, {.owner = "bench", .label = "counts", .bytes = radix_counts_bytes(count)});
+  AgainstCopy result(state, "cards/s", count, 2 * sizeof(glm::uvec2));
+  for (auto _ : state) {
+    gpu::Frame frame(bench.device, bench.pipelines);
+    frame.pass("reset", [&](gpu::Pass& pass) {
+      pass.commands().copyBuffer(unsorted.vk(), keys.vk(), vk::BufferCopy{.size = keys.bytes()});
+    });
+    frame.pass("sort", [&](gpu::Pass& pass) { radix_sort(pass, keys, scratch, counts, count); });
+    result.add(seconds_of(frame.finish(), "sort"));
+  }
+}
+
+BENCHMARK(BM_Sort)->Arg(1'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
+BENCHMARK_CAPTURE(BM_Pass, avboit_splat, "avboit", "splat")->Apply(timed);
+BENCHMARK_CAPTURE(BM_Pass, avboit_draw, "avboit", "draw")->Apply(timed);
+BENCHMARK_CAPTURE(BM_Pass, wboit_draw, "wboit", "draw")->Apply(timed);
+BENCHMARK_CAPTURE(BM_Pass, sorted_draw, "sorted", "draw")->Apply(timed);
+BENCHMARK_CAPTURE(BM_Pass, reference_capture, "reference", "capture")->Apply(timed);
+BENCHMARK_CAPTURE(BM_Pass, reference_composite, "reference", "composite")->Apply(timed);
+
+}  // namespace
+}  // namespace plume
