@@ -40,12 +40,12 @@ constexpr FeatureName<vk::PhysicalDeviceVulkan13Features> kVulkan13Features[] = 
 constexpr const char* kExtensions[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-/// Switches on in `wanted` what `table` lists; names in `missing` what the device does not offer.
+/// Switches on in `wanted` what `table` lists; names in `missing` what the device does not offer (or a test takes away).
 template <class Features, size_t N>
-void request(const FeatureName<Features> (&table)[N], const Features& offered, Features& wanted,
-             std::vector<std::string>& missing) {
+void request(const FeatureName<Features> (&table)[N], const Features& offered, const std::string& fault,
+             Features& wanted, std::vector<std::string>& missing) {
   for (const auto& feature : table) {
-    if (!(offered.*feature.member)) missing.push_back(fmt::format("feature {}", feature.name));
+    if (!(offered.*feature.member) || fault == fmt::format("missing@{}", feature.name)) missing.push_back(fmt::format("feature {}", feature.name));
     wanted.*feature.member = VK_TRUE;
   }
 }
@@ -187,9 +187,9 @@ void Device::create_device() {
   vk::PhysicalDeviceFeatures2 features{.pNext = &features12};
   if (physical_.getProperties().apiVersion < VK_API_VERSION_1_3)
     missing.push_back(fmt::format("Vulkan 1.3 (it has {})", info_.api));
-  request(kCoreFeatures, offered.get<vk::PhysicalDeviceFeatures2>().features, features.features, missing);
-  request(kVulkan12Features, offered.get<vk::PhysicalDeviceVulkan12Features>(), features12, missing);
-  request(kVulkan13Features, offered.get<vk::PhysicalDeviceVulkan13Features>(), features13, missing);
+  request(kCoreFeatures, offered.get<vk::PhysicalDeviceFeatures2>().features, options_.fault, features.features, missing);
+  request(kVulkan12Features, offered.get<vk::PhysicalDeviceVulkan12Features>(), options_.fault, features12, missing);
+  request(kVulkan13Features, offered.get<vk::PhysicalDeviceVulkan13Features>(), options_.fault, features13, missing);
 
   std::vector<const char*> extensions = options_.device_extensions;
   extensions.insert(extensions.end(), std::begin(kExtensions), std::end(kExtensions));

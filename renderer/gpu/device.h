@@ -19,7 +19,7 @@ struct DeviceOptions {
   std::vector<const char*> instance_extensions;   ///< a window's needs
   std::vector<const char*> device_extensions;
   uint64_t memory_limit_bytes = 0;                ///< refuse to allocate beyond; 0 = the device's own limit
-  std::string fault;                              ///< for tests: "device_lost@PASS" or "out_of_memory@PASS"
+  std::string fault;   ///< for tests: "device_lost@PASS", "out_of_memory@PASS" or "missing@FEATURE"
 };
 
 struct DeviceInfo {
@@ -58,6 +58,10 @@ class Device {
     label_object(decltype(raw)::objectType, uint64_t(static_cast<typename decltype(raw)::CType>(raw)), text);
   }
 
+  /// The last pass that began on the device, as far as the host knows; failures name it.
+  const std::string& last_pass() const { return last_pass_; }
+  void note_pass(std::string name) { last_pass_ = std::move(name); }
+
   /// Every warning and error the validation layers gave so far; empty without `validate`.
   std::vector<std::string> validation_messages() const;
   bool has_debug_labels() const { return has_debug_utils_; }
@@ -85,6 +89,7 @@ class Device {
   Memory memory_;
   uint32_t queue_family_ = 0;
   DeviceInfo info_;
+  std::string last_pass_ = "none";
   vk::PhysicalDeviceLimits limits_;
   bool has_debug_utils_ = false;
 };

@@ -158,12 +158,11 @@ std::vector<PassTime> Frame::finish() {
     device_.submit_and_wait(commands_);
   } catch (const DeviceFailure& failure) {
     const std::string& fault = device_.options().fault;
-    const uint32_t begun = breadcrumb_.mapped<uint32_t>()[0];
-    const std::string last = !fault.empty() ? fault.substr(fault.find('@') + 1)
-                             : begun > 0    ? names_[begun - 1]
-                                            : "none";
-    throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), last));
+    if (!fault.empty()) device_.note_pass(fault.substr(fault.find('@') + 1));
+    else if (const uint32_t begun = breadcrumb_.mapped<uint32_t>()[0]) device_.note_pass(names_[begun - 1]);
+    throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device_.last_pass()));
   }
+  if (!names_.empty()) device_.note_pass(names_.back());
 
   std::vector<PassTime> times;
   const double ms_per_tick = double(device_.limits().timestampPeriod) * 1e-6;

@@ -1,7 +1,11 @@
 #include "renderer/gpu/resources.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <stdexcept>
+
+#include "renderer/gpu/errors.h"
 
 namespace plume::gpu {
 namespace {
@@ -12,6 +16,13 @@ constexpr vk::ImageSubresourceRange whole(vk::ImageAspectFlags aspect) {
 
 Buffer staging_buffer(Device& device, vk::DeviceSize bytes) {
   return Buffer(device, {.owner = "staging", .label = "staging", .bytes = bytes, .host_visible = true});
+}
+
+Allocation allocate(Device& device, const vk::MemoryRequirements& needs, bool host_visible, bool device_address,
+                    const std::string& owner, const std::string& label) try {
+  return device.memory().allocate(needs, host_visible, device_address, owner, label);
+} catch (const DeviceFailure& failure) {
+  throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device.last_pass()));
 }
 
 void make_visible_to_host(const vk::raii::CommandBuffer& commands) {
@@ -30,8 +41,7 @@ Buffer::Buffer(Device& device, const BufferDesc& desc) : bytes_(desc.bytes) {
       {.size = desc.bytes,
        .usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc |
                 Usage::eTransferDst | Usage::eShaderDeviceAddress});
-  allocation_ =
-      device.memory().allocate(buffer_.getMemoryRequirements(), desc.host_visible, true, desc.owner, desc.label);
+  allocation_ = allocate(device, buffer_.getMemoryRequirements(), desc.host_visible, true, desc.owner, desc.label);
   buffer_.bindMemory(*allocation_.memory(), 0);
   address_ = device.vk().getBufferAddress({.buffer = *buffer_});
   if (desc.host_visible) mapped_ = allocation_.memory().mapMemory(0, VK_WHOLE_SIZE);
@@ -60,7 +70,7 @@ Image::Image(Device& device, const ImageDesc& desc)
                                     .tiling = vk::ImageTiling::eOptimal,
                                     .usage = desc.usage | vk::ImageUsageFlagBits::eTransferSrc |
                                              vk::ImageUsageFlagBits::eTransferDst});
-  allocation_ = device.memory().allocate(image_.getMemoryRequirements(), false, false, desc.owner, desc.label);
+  allocation_ = allocate(device, image_.getMemoryRequirements(), false, false, desc.owner, desc.label);
   image_.bindMemory(*allocation_.memory(), 0);
   view_ = device.vk().createImageView(
       {.image = *image_,

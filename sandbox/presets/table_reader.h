@@ -4,9 +4,7 @@
 #ifndef PLUME_PRESETS_TABLE_READER_H
 #define PLUME_PRESETS_TABLE_READER_H
 
-// From its header, because the shared library was built without the two settings below.
-#undef TOML_HEADER_ONLY
-#undef TOML_SHARED_LIB
+// Header-only, because Debian's shared library was built without the two settings below.
 #define TOML_HEADER_ONLY 1
 // Presets nest 4 deep; the parser recurses on values and on destruction.
 #define TOML_MAX_NESTED_VALUES 16

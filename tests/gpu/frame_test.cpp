@@ -82,6 +82,15 @@ TEST(DeviceTest, AnUnknownDeviceIsRefusedWithTheListOfThoseThere) {
   }
 }
 
+TEST(DeviceTest, EveryMissingFeatureIsNamed) {
+  for (const char* feature : {"fragmentStoresAndAtomics", "bufferDeviceAddress", "dynamicRendering"}) try {
+      gpu::Device device({.fault = std::string("missing@") + feature});
+      ADD_FAILURE() << feature << " was not missed";
+    } catch (const gpu::NoUsableDevice& error) {
+      EXPECT_NE(std::string(error.what()).find(feature), std::string::npos) << error.what();
+    }
+}
+
 TEST(DeviceTest, TheMemoryLimitNamesOwnerAndSize) {
   gpu::Device device({.memory_limit_bytes = 1 << 20});
   try {
@@ -89,6 +98,7 @@ TEST(DeviceTest, TheMemoryLimitNamesOwnerAndSize) {
     FAIL() << "nothing was thrown";
   } catch (const gpu::DeviceFailure& error) {
     EXPECT_NE(std::string(error.what()).find("avboit.extinction needs 2097152 bytes"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("the last pass was 'none'"), std::string::npos) << error.what();
   }
 }
 
