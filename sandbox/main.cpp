@@ -1,6 +1,7 @@
 // Arguments to one command, and every way to fail to its exit code.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <new>
@@ -26,8 +27,10 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   }
   const auto flag = std::find_if(extras.begin(), extras.end(), [](const std::string& e) { return e.starts_with('-'); });
   if (flag == extras.end()) return error.what();
-  const std::string name = flag->substr(0, flag->find('='));
-  return fmt::format("unknown flag `{}` of {}, {}", name, used.front()->get_name(), plume::suggestion(name, valid));
+  const std::string name = flag->substr(0, flag->find('=')), command = used.front()->get_name();
+  if (std::find(valid.begin(), valid.end(), name) != valid.end())
+    return fmt::format("{} stands before {}, expected after it", name, command);
+  return fmt::format("unknown flag `{}` of {}, {}", name, command, plume::suggestion(name, valid));
 }
 
 int fail(int code, const std::string& message) {
@@ -43,9 +46,11 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.get_formatter()->column_width(28);
   Run run;
-  for (auto* add : {add_compare, add_replay, add_diff, add_check, add_list}) add(program, run);
+  for (auto* add : {add_open, add_compare, add_replay, add_diff, add_check, add_list}) add(program, run);
   try {
-    program.parse(argc, argv);
+    auto arguments = with_open(program, {argv + 1, argv + argc});
+    std::reverse(arguments.begin(), arguments.end());   // as the parser takes them
+    program.parse(arguments);
     const int code = run();
     if (std::fflush(stdout) != 0)
       return fail(kBadUsage, fmt::format("standard output: {}", std::generic_category().message(errno)));

@@ -3,6 +3,6 @@
 # Arguments go to `plume compare` instead of the default ones.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-scripts/build.sh
+scripts/build.sh plume
 [ $# -gt 0 ] || set -- street --out out/street
 exec build/plume compare "$@"

@@ -2,5 +2,5 @@
 # Installs what is missing, builds, runs all tests. Arguments go to ctest, such as -R Avboit.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-scripts/build.sh -DPLUME_TESTS=ON -DPLUME_BENCHMARKS=ON
+scripts/build.sh
 exec ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"

@@ -44,24 +44,34 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags);
 /// Applies every `--set method.parameter=value` to the methods of that id that do not name the parameter themselves.
 void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays);
 
+gpu::DeviceOptions device_options(const DrawFlags& flags);
+
 /// A device with what drawing needs, opened as the flags say.
 struct GpuSession {
-  explicit GpuSession(const DrawFlags& flags);
+  explicit GpuSession(const DrawFlags& flags) : GpuSession(device_options(flags), flags.shaders) {}
+  GpuSession(const gpu::DeviceOptions& options, const std::string& shader_folder);
   gpu::Device device;
   gpu::Shaders shaders;
   gpu::Pipelines pipelines;
 };
+
+/// Prints what the validation layers said, and gives the exit code of it.
+int report_validation(const gpu::Device& device);
 
 /// Measures, writes the report, prints the table or JSON; the common end of `compare` and `replay`.
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags);
 
 /// Every command adds its sub-command and hands over what runs it.
 using Run = std::function<int()>;
+void add_open(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_replay(CLI::App& program, Run& run);
 void add_diff(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_list(CLI::App& program, Run& run);
+
+/// The arguments with the command `open` where it was left out: with none at all, and before the name of a scene.
+std::vector<std::string> with_open(const CLI::App& program, std::vector<std::string> arguments);
 
 }  // namespace plume
 #endif

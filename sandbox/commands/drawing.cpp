@@ -77,14 +77,6 @@ Shard parse_shard(const std::string& text) {
   return {*index, *count};
 }
 
-gpu::DeviceOptions device_options(const DrawFlags& flags) {
-  const char* fault = std::getenv("PLUME_FAULT");   // tests inject what drivers rarely do
-  return {.select = flags.device,
-          .validate = flags.validate,
-          .memory_limit_bytes = flags.memory_limit_mib << 20,
-          .fault = fault ? fault : ""};
-}
-
 }  // namespace
 
 void add_draw_flags(CLI::App& command, DrawFlags& flags) {
@@ -101,7 +93,9 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
                    "keep the frames in --out and draw what is missing; scenes, scripts and --seed as before");
   command.add_flag("--validate", flags.validate, "run with the Vulkan validation layer; any message makes the exit code 1");
   command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
-  command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")->capture_default_str();
+  command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
+      ->capture_default_str()
+      ->check([](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; });
   command.add_option("--shaders", flags.shaders, "compile shaders from this folder instead of the embedded ones");
   command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
       ->check(CLI::Range(1, 1 << 24));
@@ -128,8 +122,22 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Replay
   }
 }
 
-GpuSession::GpuSession(const DrawFlags& flags)
-    : device(device_options(flags)), shaders(flags.shaders), pipelines(device, shaders) {}
+gpu::DeviceOptions device_options(const DrawFlags& flags) {
+  const char* fault = std::getenv("PLUME_FAULT");   // tests inject what drivers rarely do
+  return {.select = flags.device,
+          .validate = flags.validate,
+          .memory_limit_bytes = flags.memory_limit_mib << 20,
+          .fault = fault ? fault : ""};
+}
+
+GpuSession::GpuSession(const gpu::DeviceOptions& options, const std::string& shader_folder)
+    : device(options), shaders(shader_folder), pipelines(device, shaders) {}
+
+int report_validation(const gpu::Device& device) {
+  const auto messages = device.validation_messages();
+  for (const std::string& message : messages) fmt::print(stderr, "validation: {}\n", message);
+  return messages.empty() ? kDone : kToleranceExceeded;
+}
 
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags) {
   for (Replay& replay : replays) {
@@ -154,9 +162,7 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
     fmt::print("{}\n", to_json(results).dump(2));
   else
     fmt::print("{}report: {}\n", to_table(results), (std::filesystem::path(flags.out) / "report.html").string());
-  const auto messages = session.device.validation_messages();
-  for (const std::string& message : messages) fmt::print(stderr, "validation: {}\n", message);
-  return messages.empty() ? kDone : kToleranceExceeded;
+  return report_validation(session.device);
 }
 
 }  // namespace plume

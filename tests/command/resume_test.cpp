@@ -1,5 +1,6 @@
 // Long jobs: split over machines, stopped by hand, gone on with later. The frames are those of one
 // undisturbed run.
+#include "sandbox/measure/image_io.h"
 #include "tests/command/program.h"
 
 namespace plume {
@@ -29,13 +30,13 @@ class ResumeTest : public ProgramTest {
     }
     return frames;
   }
-  /// Sends SIGINT to a replay once it has finished a tick.
-  Outcome interrupt_after_a_tick() {
+  /// Sends `signal` to a replay once it has finished a tick.
+  Outcome stop_after_a_tick(int signal) {
     const pid_t program = start({"replay", "script.toml"});
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (read("stderr").find("[1/") == std::string::npos && std::chrono::steady_clock::now() < deadline)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    kill(program, SIGINT);
+    kill(program, signal);
     return wait(program);
   }
 };
@@ -121,18 +122,18 @@ TEST_F(ResumeTest, FramesOfAnotherSizeGoWithTheirOverwrittenPictures) {
 }
 
 TEST_F(ResumeTest, InterruptedRunIsCompletedByResume) {
-  play("{first = 0, last = 59}", "[capture]\nerror_maps = false\n[[method]]\nid = 'sorted'\n");
+  play("{first = 0, last = 79}", "[capture]\nerror_maps = false\n[[method]]\nid = 'sorted'\n");
   ASSERT_EQ(replay({"--out", "whole"}).exit_code, 0);
-  const Outcome outcome = interrupt_after_a_tick();
+  const Outcome outcome = stop_after_a_tick(SIGINT);
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_TRUE(says(outcome.err, {"interrupted", "--resume"}));
   EXPECT_EQ(outcome.out, "");
 
   const json partial = results();
   ASSERT_GT(partial["frames"].size(), 0u);
-  ASSERT_LT(partial["frames"].size(), 60u);
+  ASSERT_LT(partial["frames"].size(), 80u);
   EXPECT_TRUE(partial["demand"].is_object());
-  EXPECT_EQ(pictures().size(), partial["frames"].size());  // each frame with its picture, and no other
+  EXPECT_EQ(files().size(), partial["frames"].size() + 2);  // a picture each, results.json and results.csv
   for (const json& frame : partial["frames"])
     EXPECT_TRUE(fs::exists(at("out") / frame["image"].get<std::string>()));
 
@@ -140,6 +141,18 @@ TEST_F(ResumeTest, InterruptedRunIsCompletedByResume) {
   EXPECT_EQ(frames(), frames("whole"));
   EXPECT_EQ(pictures(), pictures("whole"));
   EXPECT_EQ(results()["frames"][0], partial["frames"][0]);  // with its old times
+}
+
+TEST_F(ResumeTest, KilledRunIsCompletedByResume) {
+  play("{first = 0, last = 79}", "[capture]\nerror_maps = false\n[[method]]\nid = 'sorted'\n");
+  ASSERT_EQ(stop_after_a_tick(SIGKILL).exit_code, 128 + SIGKILL);
+  const json partial = results();
+  ASSERT_GT(partial["frames"].size(), 0u);
+  ASSERT_LT(partial["frames"].size(), 80u);
+  for (const auto& [name, bytes] : pictures()) EXPECT_NO_THROW(read_png(at("out") / name)) << name;
+  ASSERT_EQ(replay({"--resume"}).exit_code, 0);
+  EXPECT_EQ(results()["frames"].size(), 80u);
+  EXPECT_EQ(results()["frames"][0], partial["frames"][0]);
 }
 
 TEST_F(ResumeTest, ResultsOfAnotherDeviceAreNotMixedIn) {

@@ -26,7 +26,7 @@ DisplayImage flat(int width, int height, Rgb colour) {
 DisplayImage noise(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
   return paint(width, height, [&](int, int) {
-    const unsigned bits = random();
+    const auto bits = static_cast<unsigned>(random());
     return Rgb{static_cast<uint8_t>(bits), static_cast<uint8_t>(bits >> 8), static_cast<uint8_t>(bits >> 16)};
   });
 }
