@@ -63,7 +63,10 @@ std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::opt
 Prelude Stage::prelude() const {
   return [this](gpu::Frame& frame, const Targets& targets) {
     frame.pass("cards", [&](gpu::Pass& pass) {
-      if (!panes_.empty()) pass.update(cards_, std::span<const shared::Card>(panes_));
+      if (!panes_.empty()) {
+        pass.update(cards_, std::span<const shared::Card>(panes_));
+        pass.barrier();
+      }
       simulation_->record_cards(pass, view_, cards_, uint32_t(panes_.size()));
     });
     opaque_.record(frame, targets, view_);
