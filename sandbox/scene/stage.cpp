@@ -15,7 +15,6 @@ constexpr uint32_t kTextureSeed = 1;   // one set of puffs for all scenes: the l
 
 Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene)
     : device_(device),
-      pipelines_(pipelines),
       scene_(std::move(scene)),
       puffs_(make_puff_textures(device, pipelines, kTextureSeed)),
       opaque_(device, scene_.solids),

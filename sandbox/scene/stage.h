@@ -34,7 +34,6 @@ class Stage {
   void fit_cards(uint32_t count);
 
   gpu::Device& device_;
-  gpu::Pipelines& pipelines_;
   Scene scene_;
   std::map<std::string, Effect> effects_;
   gpu::Image puffs_;

@@ -69,7 +69,7 @@ TEST_F(FailureTest, FinishedFramesSurviveALaterLoss) {
   const Arguments both{"replay", "first.toml", "second.toml"};
   const Environment fault{{"PLUME_FAULT", "device_lost@integrate"}};
   expect_failure(run(both, fault), 4, {"[1/4]", "[2/4]", "'integrate'"});
-  EXPECT_EQ(results()["frames"].size(), 2u);
+  ASSERT_EQ(results()["frames"].size(), 2u);
   EXPECT_EQ(files(), (std::vector<std::string>{"results.csv", "results.json", "street_000020_sorted.png",
                                                "street_000020_sorted_error.png", "street_000040_sorted.png",
                                                "street_000040_sorted_error.png"}));

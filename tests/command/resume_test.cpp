@@ -85,7 +85,7 @@ TEST_F(ResumeTest, GapsAreFilledInTheOrderOfTheJobs) {
   const json kept = results()["frames"];
   play("{first = 10, last = 40, step = 10}");
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
-  EXPECT_EQ(frames(), frames("whole"));
+  ASSERT_EQ(frames(), frames("whole"));
   EXPECT_EQ(pictures(), pictures("whole"));
   const json after = results()["frames"];
   EXPECT_EQ(after[2], kept[0]);  // with its old times
@@ -99,7 +99,7 @@ TEST_F(ResumeTest, AddedMethodStandsInTheOrderOfTheJobs) {
   const json kept = results()["frames"];
   play("{first = 10, last = 40, step = 10}");
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
-  EXPECT_EQ(frames(), frames("whole"));
+  ASSERT_EQ(frames(), frames("whole"));
   EXPECT_EQ(results()["frames"][3], kept[1]);
 }
 
@@ -108,6 +108,17 @@ TEST_F(ResumeTest, RemovedPictureIsDrawnAgain) {
   const json before = frames();
   const auto drawn = pictures();
   fs::remove(at("out/street_000020_wboit.png"));
+  ASSERT_EQ(replay({"--resume"}).exit_code, 0);
+  EXPECT_EQ(pictures(), drawn);
+  EXPECT_EQ(frames(), before);
+}
+
+TEST_F(ResumeTest, RemovedExrIsDrawnAgain) {
+  play("[20]", "[capture]\nimages = false\nerror_maps = false\nhdr = true\n[[method]]\nid = 'wboit'\n");
+  ASSERT_EQ(replay().exit_code, 0);
+  const json before = frames();
+  const auto drawn = pictures();
+  fs::remove(at("out/street_000020_wboit.exr"));
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
   EXPECT_EQ(pictures(), drawn);
   EXPECT_EQ(frames(), before);

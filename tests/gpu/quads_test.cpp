@@ -134,5 +134,34 @@ TEST_F(QuadsTest, WboitIsWhatEachOfItsFormulasSays) {
   }
 }
 
+TEST_F(QuadsTest, WboitIsWhatEachOfItsFormulasSaysForThinLayers) {
+  // The demo's weight is at its clamp of 3000 for every coverage above 0.03, at any depth: only thin layers tell its shape.
+  Scene scene;
+  scene.id = "thin";
+  scene.tonemap = Tonemap::kNone;
+  scene.light.sky = false;
+  scene.light.horizon = {0, 0, 0};
+  scene.far_m = 100;
+  scene.camera = {{.tick = 0, .position = {0, 0, 5}, .target = {0, 0, 0}, .vertical_fov_deg = 50}};
+  for (int i = 0; i < 3; ++i) {
+    Pane pane;
+    pane.position = {0, 0, 4 - 2 * i};
+    pane.size_m = {60, 60};
+    pane.coverage = 0.004f + 0.006f * float(i);
+    pane.color[i] = 1;
+    scene.panes.push_back(pane);
+  }
+  const DrawnPicture background = background_of(scene);
+  for (const std::string weight : {"eq7", "eq8", "eq9", "eq10", "colour_aware", "learnopengl"}) {
+    Stage stage(device, pipelines, library, scene);
+    const DrawnPicture picture = draw(stage, 0, kPicture, "wboit", {{"weight", weight}});
+    const auto formula = [&](const std::vector<Layer>& layers, glm::dvec3 behind) {
+      return weighted_blended(weight, layers, behind, scene);
+    };
+    // Revealage near 1 has steps of 2^-11 in 16 bits, three layers of them.
+    EXPECT_LT(worst_difference(scene, picture, background, formula), 1.0 / 1024) << weight;
+  }
+}
+
 }  // namespace
 }  // namespace plume
