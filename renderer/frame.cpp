@@ -8,8 +8,9 @@ constexpr auto kHdrUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageU
 
 gpu::Image picture_image(gpu::Device& device, glm::uvec2 size, const char* label, vk::Format format,
                          vk::ImageUsageFlags usage) {
-  return gpu::Image(device, {.owner = "frame", .label = label, .format = format, .extent = {size.x, size.y, 1},
-                             .usage = usage});
+  return gpu::Image(
+      device,
+      {.owner = "frame", .label = label, .format = format, .extent = {size.x, size.y, 1}, .usage = usage});
 }
 
 void clear_declared_buffers(gpu::Frame& frame, const Needs& needs, const Resources& resources) {
@@ -34,10 +35,12 @@ void show(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) {
 Targets::Targets(gpu::Device& device, glm::uvec2 picture_size)
     : size(picture_size),
       opaque_color(picture_image(device, size, "opaque_color", kHdrFormat, kHdrUsage)),
-      opaque_depth(picture_image(device, size, "opaque_depth", vk::Format::eD32Sfloat,
-                                 vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled)),
+      opaque_depth(
+          picture_image(device, size, "opaque_depth", vk::Format::eD32Sfloat,
+                        vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled)),
       result(picture_image(device, size, "result", kHdrFormat, kHdrUsage)),
-      display(picture_image(device, size, "display", vk::Format::eR8G8B8A8Unorm, vk::ImageUsageFlagBits::eStorage)) {}
+      display(picture_image(device, size, "display", vk::Format::eR8G8B8A8Unorm,
+                            vk::ImageUsageFlagBits::eStorage)) {}
 
 FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const Targets& targets,
                          const Prelude& prelude, const Transparents& transparents, MethodInstance& instance) {

@@ -11,16 +11,16 @@ struct Targets {
   Targets(gpu::Device& device, glm::uvec2 size);
 
   glm::uvec2 size;
-  gpu::Image opaque_color;   ///< kHdrFormat
-  gpu::Image opaque_depth;   ///< D32, reversed: near_m / view depth, 0 = sky
-  gpu::Image result;         ///< kHdrFormat, linear
-  gpu::Image display;        ///< R8G8B8A8, tone-mapped and sRGB-encoded
+  gpu::Image opaque_color;  ///< kHdrFormat
+  gpu::Image opaque_depth;  ///< D32, reversed: near_m / view depth, 0 = sky
+  gpu::Image result;        ///< kHdrFormat, linear
+  gpu::Image display;       ///< R8G8B8A8, tone-mapped and sRGB-encoded
 };
 
 /// A method with its resources: what one view of a comparison owns.
 struct MethodInstance {
   std::unique_ptr<Method> method;
-  std::string owner;   ///< account of its memory: unique where the same method runs twice with other settings
+  std::string owner;  ///< account of its memory: unique where the same method runs twice with other settings
   Resources resources;
 };
 
@@ -28,8 +28,8 @@ struct MethodInstance {
 using Prelude = std::function<void(gpu::Frame&, const Targets&)>;
 
 struct FrameReport {
-  std::vector<gpu::PassTime> passes;   ///< of the last, complete drawing
-  uint32_t redraws = 0;                ///< drawings thrown away because the method had to grow
+  std::vector<gpu::PassTime> passes;  ///< of the last, complete drawing
+  uint32_t redraws = 0;               ///< drawings thrown away because the method had to grow
 };
 
 /// Draws one frame and waits for it.

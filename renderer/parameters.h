@@ -14,8 +14,8 @@ namespace plume {
 /// What one parameter is: filled by a method's visit().
 struct NumberInfo {
   double min, max;
-  std::string_view unit;   ///< "" where it has none
-  std::string_view help;   ///< what it trades, one sentence
+  std::string_view unit;  ///< "" where it has none
+  std::string_view help;  ///< what it trades, one sentence
 };
 
 /// A method calls exactly one of these per parameter, always in the same order.
@@ -40,11 +40,13 @@ class Method;
 nlohmann::json parameter_values(Method& method);
 /// Name, type, range or options, unit, help and current value, in the order of the visit.
 nlohmann::json parameter_list(Method& method);
-/// Sets one parameter from text. Throws ParameterError that names the nearest valid name, the range or the options.
+/// Sets one parameter from text. Throws ParameterError that names the nearest valid name, the range or the
+/// options.
 void set_parameter(Method& method, std::string_view name, std::string_view value);
 
-/// The candidate with the least edit distance to `word` (insertions, deletions, replacements and swaps of neighbours, all
-/// of cost 1; the first of equals). Empty when even that one is a poor match: more edits than half the longer of the two.
+/// The candidate with the least edit distance to `word` (insertions, deletions, replacements and swaps of
+/// neighbours, all of cost 1; the first of equals). Empty when even that one is a poor match: more edits than
+/// half the longer of the two.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 /// How a message about an unknown word ends: "did you mean `x`?", else "expected one of `a`, `b`".
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);

@@ -5,7 +5,9 @@
 namespace plume {
 namespace {
 
-uint32_t tiles(uint32_t pairs) { return gpu::groups(pairs, shared::kRadixTile); }
+uint32_t tiles(uint32_t pairs) {
+  return gpu::groups(pairs, shared::kRadixTile);
+}
 
 }  // namespace
 
@@ -13,11 +15,11 @@ uint64_t radix_counts_bytes(uint32_t pairs) {
   return std::max<uint64_t>(4, uint64_t(tiles(pairs)) * shared::kRadixDigits * 4);
 }
 
-void radix_sort(gpu::Pass& pass, const gpu::Buffer& pairs, const gpu::Buffer& scratch, const gpu::Buffer& counts,
-                uint32_t count) {
+void radix_sort(gpu::Pass& pass, const gpu::Buffer& pairs, const gpu::Buffer& scratch,
+                const gpu::Buffer& counts, uint32_t count) {
   if (count == 0) return;
   const gpu::Buffer *from = &pairs, *to = &scratch;
-  for (uint32_t shift = 0; shift < 32; shift += 4) {   // an even number of rounds: the result ends in `pairs`
+  for (uint32_t shift = 0; shift < 32; shift += 4) {  // an even number of rounds: the result ends in `pairs`
     const shared::RadixPush push{.count = count, .shift = shift, .tiles = tiles(count)};
     pass.dispatch(pass.pipelines().compute("sort/count.comp"), {{"Source", from}, {"Counts", &counts}}, push,
                   {tiles(count), 1, 1});

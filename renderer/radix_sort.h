@@ -10,8 +10,8 @@ namespace plume {
 uint64_t radix_counts_bytes(uint32_t pairs);
 
 /// Sorts `count` pairs of two words in `pairs`; `scratch` is of the same size. The result is in `pairs`.
-void radix_sort(gpu::Pass& pass, const gpu::Buffer& pairs, const gpu::Buffer& scratch, const gpu::Buffer& counts,
-                uint32_t count);
+void radix_sort(gpu::Pass& pass, const gpu::Buffer& pairs, const gpu::Buffer& scratch,
+                const gpu::Buffer& counts, uint32_t count);
 
 }  // namespace plume
 #endif

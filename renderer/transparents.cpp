@@ -5,10 +5,10 @@ namespace {
 constexpr uint32_t kForwardOrder = 0xffffffff;
 
 struct CardPush {
-  uint32_t order_last;   // kForwardOrder, or the index of the last: draw backwards
+  uint32_t order_last;  // kForwardOrder, or the index of the last: draw backwards
   glm::vec2 covered;
 };
-}
+}  // namespace
 
 void Transparents::draw(gpu::Pass& pass, const Style& style) const {
   gpu::Bindings bindings = style.bindings;
@@ -27,7 +27,8 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
              .bindings = std::move(bindings),
              .vertices = 6,
              .instances = count},
-            CardPush{.order_last = style.backwards && count > 0 ? count - 1 : kForwardOrder, .covered = style.covered});
+            CardPush{.order_last = style.backwards && count > 0 ? count - 1 : kForwardOrder,
+                     .covered = style.covered});
 }
 
 }  // namespace plume

@@ -22,10 +22,12 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
     for (const std::string& name : option->get_lnames()) valid.push_back("--" + name);
   if (used.empty()) {
     for (const CLI::App* command : program.get_subcommands({})) valid.push_back(command->get_name());
-    if (extras.empty()) return fmt::format("a command is missing, expected one of `{}`", fmt::join(valid, "`, `"));
+    if (extras.empty())
+      return fmt::format("a command is missing, expected one of `{}`", fmt::join(valid, "`, `"));
     return fmt::format("unknown command `{}`, {}", extras.front(), plume::suggestion(extras.front(), valid));
   }
-  const auto flag = std::find_if(extras.begin(), extras.end(), [](const std::string& e) { return e.starts_with('-'); });
+  const auto flag =
+      std::find_if(extras.begin(), extras.end(), [](const std::string& e) { return e.starts_with('-'); });
   if (flag == extras.end()) return error.what();
   const std::string name = flag->substr(0, flag->find('=')), command = used.front()->get_name();
   if (std::find(valid.begin(), valid.end(), name) != valid.end())
@@ -49,7 +51,7 @@ int main(int argc, char** argv) {
   for (auto* add : {add_open, add_compare, add_replay, add_diff, add_check, add_list}) add(program, run);
   try {
     auto arguments = with_open(program, {argv + 1, argv + argc});
-    std::reverse(arguments.begin(), arguments.end());   // as the parser takes them
+    std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
     program.parse(arguments);
     const int code = run();
     if (std::fflush(stdout) != 0)
@@ -70,7 +72,7 @@ int main(int argc, char** argv) {
     return fail(kDeviceFailed, "out of memory");
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
-  } catch (const std::exception& error) {   // an input file, an argument, a folder: the message says which
+  } catch (const std::exception& error) {  // an input file, an argument, a folder: the message says which
     return fail(kBadUsage, error.what());
   }
 }

@@ -18,9 +18,12 @@ struct FeatureName {
 };
 
 #define PLUME_FEATURE(Struct, member) \
-  FeatureName<vk::Struct> { #member, &vk::Struct::member }
+  FeatureName<vk::Struct> {           \
+#member, &vk::Struct::member      \
+  }
 
-// Everything Plume cannot do without. A method that can use more asks Device for it and says so when it is missing.
+// Everything Plume cannot do without. A method that can use more asks Device for it and says so when it is
+// missing.
 constexpr FeatureName<vk::PhysicalDeviceFeatures> kCoreFeatures[] = {
     PLUME_FEATURE(PhysicalDeviceFeatures, fragmentStoresAndAtomics),
     PLUME_FEATURE(PhysicalDeviceFeatures, independentBlend),
@@ -40,12 +43,14 @@ constexpr FeatureName<vk::PhysicalDeviceVulkan13Features> kVulkan13Features[] = 
 constexpr const char* kExtensions[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-/// Switches on in `wanted` what `table` lists; names in `missing` what the device does not offer (or a test takes away).
+/// Switches on in `wanted` what `table` lists; names in `missing` what the device does not offer (or a test
+/// takes away).
 template <class Features, size_t N>
 void request(const FeatureName<Features> (&table)[N], const Features& offered, const std::string& fault,
              Features& wanted, std::vector<std::string>& missing) {
   for (const auto& feature : table) {
-    if (!(offered.*feature.member) || fault == fmt::format("missing@{}", feature.name)) missing.push_back(fmt::format("feature {}", feature.name));
+    if (!(offered.*feature.member) || fault == fmt::format("missing@{}", feature.name))
+      missing.push_back(fmt::format("feature {}", feature.name));
     wanted.*feature.member = VK_TRUE;
   }
 }
@@ -68,10 +73,14 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& physical) {
 
 int preference(const vk::raii::PhysicalDevice& physical) {
   switch (physical.getProperties().deviceType) {
-    case vk::PhysicalDeviceType::eDiscreteGpu: return 3;
-    case vk::PhysicalDeviceType::eIntegratedGpu: return 2;
-    case vk::PhysicalDeviceType::eVirtualGpu: return 1;
-    default: return 0;
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return 3;
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return 2;
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return 1;
+    default:
+      return 0;
   }
 }
 
@@ -111,9 +120,10 @@ void Device::create_instance() try {
     for (const auto& layer : context_.enumerateInstanceLayerProperties())
       found |= std::string_view(layer.layerName) == kValidationLayer;
     if (!found)
-      throw NoUsableDevice(fmt::format("validation was asked for, but {} is not installed; install the package "
-                                       "vulkan-validationlayers or run without --validate",
-                                       kValidationLayer));
+      throw NoUsableDevice(
+          fmt::format("validation was asked for, but {} is not installed; install the package "
+                      "vulkan-validationlayers or run without --validate",
+                      kValidationLayer));
     layers.push_back(kValidationLayer);
   }
 
@@ -123,12 +133,13 @@ void Device::create_instance() try {
                                              .pEnabledValidationFeatures = &kSynchronization};
   const vk::ApplicationInfo application{.pApplicationName = "plume", .apiVersion = VK_API_VERSION_1_3};
   const bool synchronization = options_.validate && options_.synchronization_validation;
-  instance_ = vk::raii::Instance(context_, vk::InstanceCreateInfo{.pNext = synchronization ? &validation : nullptr,
-                                                                 .pApplicationInfo = &application,
-                                                                 .enabledLayerCount = uint32_t(layers.size()),
-                                                                 .ppEnabledLayerNames = layers.data(),
-                                                                 .enabledExtensionCount = uint32_t(extensions.size()),
-                                                                 .ppEnabledExtensionNames = extensions.data()});
+  instance_ = vk::raii::Instance(context_,
+                                 vk::InstanceCreateInfo{.pNext = synchronization ? &validation : nullptr,
+                                                        .pApplicationInfo = &application,
+                                                        .enabledLayerCount = uint32_t(layers.size()),
+                                                        .ppEnabledLayerNames = layers.data(),
+                                                        .enabledExtensionCount = uint32_t(extensions.size()),
+                                                        .ppEnabledExtensionNames = extensions.data()});
   if (!options_.validate || !has_debug_utils_) return;
 
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
@@ -140,24 +151,26 @@ void Device::create_instance() try {
     log.messages.emplace_back(data->pMessage);
     return VK_FALSE;
   };
-  messenger_ = instance_.createDebugUtilsMessengerEXT({.messageSeverity = Severity::eWarning | Severity::eError,
-                                                       // Performance hints are left out: they ask for the layouts that resources.h decided against.
-                                                       .messageType = Type::eValidation,
-                                                       .pfnUserCallback = collect,
-                                                       .pUserData = log_.get()});
+  messenger_ = instance_.createDebugUtilsMessengerEXT(
+      {.messageSeverity = Severity::eWarning | Severity::eError,
+       // Performance hints are left out: they ask for the layouts that resources.h decided against.
+       .messageType = Type::eValidation,
+       .pfnUserCallback = collect,
+       .pUserData = log_.get()});
 } catch (const vk::SystemError& error) {
-  throw NoUsableDevice(fmt::format("Vulkan does not start: {}; install a driver, such as the package mesa-vulkan-drivers",
-                                   error.what()));
+  throw NoUsableDevice(fmt::format(
+      "Vulkan does not start: {}; install a driver, such as the package mesa-vulkan-drivers", error.what()));
 }
 
 void Device::choose_physical() {
   std::vector<vk::raii::PhysicalDevice> found;
   try {
     found = instance_.enumeratePhysicalDevices();
-  } catch (const vk::SystemError&) {   // some loaders report "no driver" this way
+  } catch (const vk::SystemError&) {  // some loaders report "no driver" this way
   }
   if (found.empty())
-    throw NoUsableDevice("no Vulkan device was found; install a driver, such as the package mesa-vulkan-drivers");
+    throw NoUsableDevice(
+        "no Vulkan device was found; install a driver, such as the package mesa-vulkan-drivers");
 
   std::vector<std::string> names;
   for (const auto& physical : found) names.push_back(describe(physical).name);
@@ -171,8 +184,8 @@ void Device::choose_physical() {
         chosen = i;
   }
   if (chosen < 0)
-    throw NoUsableDevice(fmt::format("no device matches '{}'; this machine has: {}", options_.select,
-                                     fmt::join(names, ", ")));
+    throw NoUsableDevice(
+        fmt::format("no device matches '{}'; this machine has: {}", options_.select, fmt::join(names, ", ")));
   physical_ = std::move(found[size_t(chosen)]);
   info_ = describe(physical_);
   limits_ = physical_.getProperties().limits;
@@ -187,9 +200,12 @@ void Device::create_device() {
   vk::PhysicalDeviceFeatures2 features{.pNext = &features12};
   if (physical_.getProperties().apiVersion < VK_API_VERSION_1_3)
     missing.push_back(fmt::format("Vulkan 1.3 (it has {})", info_.api));
-  request(kCoreFeatures, offered.get<vk::PhysicalDeviceFeatures2>().features, options_.fault, features.features, missing);
-  request(kVulkan12Features, offered.get<vk::PhysicalDeviceVulkan12Features>(), options_.fault, features12, missing);
-  request(kVulkan13Features, offered.get<vk::PhysicalDeviceVulkan13Features>(), options_.fault, features13, missing);
+  request(kCoreFeatures, offered.get<vk::PhysicalDeviceFeatures2>().features, options_.fault,
+          features.features, missing);
+  request(kVulkan12Features, offered.get<vk::PhysicalDeviceVulkan12Features>(), options_.fault, features12,
+          missing);
+  request(kVulkan13Features, offered.get<vk::PhysicalDeviceVulkan13Features>(), options_.fault, features13,
+          missing);
 
   std::vector<const char*> extensions = options_.device_extensions;
   extensions.insert(extensions.end(), std::begin(kExtensions), std::end(kExtensions));
@@ -217,11 +233,12 @@ void Device::create_device() {
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue{
       .queueFamilyIndex = queue_family_, .queueCount = 1, .pQueuePriorities = &priority};
-  device_ = vk::raii::Device(physical_, vk::DeviceCreateInfo{.pNext = &features,
-                                                            .queueCreateInfoCount = 1,
-                                                            .pQueueCreateInfos = &queue,
-                                                            .enabledExtensionCount = uint32_t(extensions.size()),
-                                                            .ppEnabledExtensionNames = extensions.data()});
+  device_ =
+      vk::raii::Device(physical_, vk::DeviceCreateInfo{.pNext = &features,
+                                                       .queueCreateInfoCount = 1,
+                                                       .pQueueCreateInfos = &queue,
+                                                       .enabledExtensionCount = uint32_t(extensions.size()),
+                                                       .ppEnabledExtensionNames = extensions.data()});
   queue_ = device_.getQueue(queue_family_, 0);
   pool_ = device_.createCommandPool(
       {.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = queue_family_});
@@ -256,7 +273,8 @@ void Device::submit_and_wait(const vk::raii::CommandBuffer& commands) try {
 void Device::label_object(vk::ObjectType type, uint64_t handle, std::string_view text) const {
   if (!has_debug_utils_) return;
   const std::string name(text);
-  device_.setDebugUtilsObjectNameEXT({.objectType = type, .objectHandle = handle, .pObjectName = name.c_str()});
+  device_.setDebugUtilsObjectNameEXT(
+      {.objectType = type, .objectHandle = handle, .pObjectName = name.c_str()});
 }
 
 std::vector<std::string> Device::validation_messages() const {
@@ -271,7 +289,8 @@ std::vector<DeviceInfo> list_devices() {
     const vk::ApplicationInfo application{.pApplicationName = "plume", .apiVersion = VK_API_VERSION_1_3};
     const vk::raii::Instance instance(context, vk::InstanceCreateInfo{.pApplicationInfo = &application});
     for (const auto& physical : instance.enumeratePhysicalDevices()) result.push_back(describe(physical));
-  } catch (const std::exception&) {   // no loader, no driver: the list is empty, which is what the caller asked
+  } catch (
+      const std::exception&) {  // no loader, no driver: the list is empty, which is what the caller asked
   }
   return result;
 }

@@ -1,4 +1,5 @@
-// The Vulkan instance, the chosen device and its one queue. Everything Plume needs of a device is asked for here by name.
+// The Vulkan instance, the chosen device and its one queue. Everything Plume needs of a device is asked for
+// here by name.
 #ifndef PLUME_GPU_DEVICE_H
 #define PLUME_GPU_DEVICE_H
 
@@ -13,13 +14,13 @@
 namespace plume::gpu {
 
 struct DeviceOptions {
-  std::string select;                             ///< part of a device's name, or its index in list_devices(); "" = best
-  bool validate = false;                          ///< Khronos validation; messages are collected
-  bool synchronization_validation = false;        ///< with `validate`: hazards too
-  std::vector<const char*> instance_extensions;   ///< a window's needs
+  std::string select;     ///< part of a device's name, or its index in list_devices(); "" = best
+  bool validate = false;  ///< Khronos validation; messages are collected
+  bool synchronization_validation = false;       ///< with `validate`: hazards too
+  std::vector<const char*> instance_extensions;  ///< a window's needs
   std::vector<const char*> device_extensions;
-  uint64_t memory_limit_bytes = 0;                ///< refuse to allocate beyond; 0 = the device's own limit
-  std::string fault;   ///< for tests: "device_lost@PASS", "out_of_memory@PASS" or "missing@FEATURE"
+  uint64_t memory_limit_bytes = 0;  ///< refuse to allocate beyond; 0 = the device's own limit
+  std::string fault;  ///< for tests: "device_lost@PASS", "out_of_memory@PASS" or "missing@FEATURE"
 };
 
 struct DeviceInfo {
@@ -78,7 +79,7 @@ class Device {
   };
 
   DeviceOptions options_;
-  std::unique_ptr<MessageLog> log_ = std::make_unique<MessageLog>();   // address handed to the driver
+  std::unique_ptr<MessageLog> log_ = std::make_unique<MessageLog>();  // address handed to the driver
   vk::raii::Context context_;
   vk::raii::Instance instance_{nullptr};
   vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};

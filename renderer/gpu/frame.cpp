@@ -34,11 +34,12 @@ void Pass::bind(const Pipeline& pipeline, const Bindings& bindings, std::span<co
   std::vector<vk::DescriptorImageInfo> images(pipeline.bindings.size());
   for (size_t i = 0; i < pipeline.bindings.size(); ++i) {
     const ShaderBinding& wanted = pipeline.bindings[i];
-    const auto given =
-        std::find_if(bindings.begin(), bindings.end(), [&](const Binding& b) { return b.name == wanted.name; });
+    const auto given = std::find_if(bindings.begin(), bindings.end(),
+                                    [&](const Binding& b) { return b.name == wanted.name; });
     if (given == bindings.end())
       throw ShaderError(fmt::format("{} needs '{}', which is not bound", pipeline.name, wanted.name));
-    vk::WriteDescriptorSet write{.dstBinding = wanted.binding, .descriptorCount = 1, .descriptorType = wanted.type};
+    vk::WriteDescriptorSet write{
+        .dstBinding = wanted.binding, .descriptorCount = 1, .descriptorType = wanted.type};
     if (const auto* buffer = std::get_if<const Buffer*>(&given->resource)) {
       buffers[i] = vk::DescriptorBufferInfo{.buffer = (*buffer)->vk(), .range = VK_WHOLE_SIZE};
       write.pBufferInfo = &buffers[i];
@@ -63,20 +64,24 @@ void Pass::dispatch_raw(const Pipeline& pipeline, const Bindings& bindings, std:
 }
 
 void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
-  GraphicsDesc desc{.vertex = draw.vertex, .fragment = draw.fragment, .targets = {}, .depth = draw.depth_use,
+  GraphicsDesc desc{.vertex = draw.vertex,
+                    .fragment = draw.fragment,
+                    .targets = {},
+                    .depth = draw.depth_use,
                     .constants = draw.constants};
   std::vector<vk::RenderingAttachmentInfo> colors;
   for (const Attachment& target : draw.targets) {
     desc.targets.push_back({target.image->format(), target.blend});
-    colors.push_back(attachment(*target.image, target.clear ? std::optional(vk::ClearValue{
-                                                                  .color = {.float32 = *target.clear}})
-                                                            : std::nullopt));
+    colors.push_back(attachment(
+        *target.image,
+        target.clear ? std::optional(vk::ClearValue{.color = {.float32 = *target.clear}}) : std::nullopt));
   }
   const Pipeline& pipeline = pipelines_.graphics(desc);
   vk::RenderingAttachmentInfo depth;
   if (draw.depth)
-    depth = attachment(*draw.depth, draw.clear_depth ? std::optional(vk::ClearValue{.depthStencil = {.depth = 0.0f}})
-                                                     : std::nullopt);
+    depth = attachment(*draw.depth, draw.clear_depth
+                                        ? std::optional(vk::ClearValue{.depthStencil = {.depth = 0.0f}})
+                                        : std::nullopt);
   const vk::Rect2D area{.extent = {draw.area.width, draw.area.height}};
   commands_.beginRendering({.renderArea = area,
                             .layerCount = 1,
@@ -91,41 +96,52 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
   commands_.endRendering();
 }
 
-void Pass::fill(const Buffer& buffer, uint32_t word) { commands_.fillBuffer(buffer.vk(), 0, VK_WHOLE_SIZE, word); }
+void Pass::fill(const Buffer& buffer, uint32_t word) {
+  commands_.fillBuffer(buffer.vk(), 0, VK_WHOLE_SIZE, word);
+}
 
 void Pass::clear(const Image& image, const std::array<float, 4>& value) {
-  const vk::ImageSubresourceRange range{.aspectMask = image.aspect(), .levelCount = 1, .layerCount = image.layers()};
-  commands_.clearColorImage(image.vk(), vk::ImageLayout::eGeneral, vk::ClearColorValue{.float32 = value}, range);
+  const vk::ImageSubresourceRange range{
+      .aspectMask = image.aspect(), .levelCount = 1, .layerCount = image.layers()};
+  commands_.clearColorImage(image.vk(), vk::ImageLayout::eGeneral, vk::ClearColorValue{.float32 = value},
+                            range);
 }
 
 void Pass::update_raw(const Buffer& buffer, std::span<const std::byte> data) {
-  constexpr size_t kMost = 65536;   // of vkCmdUpdateBuffer
+  constexpr size_t kMost = 65536;  // of vkCmdUpdateBuffer
   for (size_t at = 0; at < data.size(); at += kMost) {
     const auto part = data.subspan(at, std::min(kMost, data.size() - at));
-    commands_.updateBuffer<std::byte>(buffer.vk(), at, vk::ArrayProxy<const std::byte>(uint32_t(part.size()), part.data()));
+    commands_.updateBuffer<std::byte>(buffer.vk(), at,
+                                      vk::ArrayProxy<const std::byte>(uint32_t(part.size()), part.data()));
   }
 }
 
 void Pass::copy(const Image& from, const Image& to) {
   const vk::ImageSubresourceLayers layers{.aspectMask = from.aspect(), .layerCount = 1};
-  commands_.copyImage(from.vk(), vk::ImageLayout::eGeneral, to.vk(), vk::ImageLayout::eGeneral,
-                      vk::ImageCopy{.srcSubresource = layers, .dstSubresource = layers, .extent = from.extent()});
+  commands_.copyImage(
+      from.vk(), vk::ImageLayout::eGeneral, to.vk(), vk::ImageLayout::eGeneral,
+      vk::ImageCopy{.srcSubresource = layers, .dstSubresource = layers, .extent = from.extent()});
 }
 
-void Pass::barrier() { commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier}); }
+void Pass::barrier() {
+  commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier});
+}
 
 Frame::Frame(Device& device, Pipelines& pipelines)
     : device_(device),
       pipelines_(pipelines),
       commands_(device.new_commands()),
-      stamps_(device.vk().createQueryPool({.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kMaxPasses})),
+      stamps_(device.vk().createQueryPool(
+          {.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kMaxPasses})),
       breadcrumb_(device, {.owner = "frame", .label = "breadcrumb", .bytes = 4, .host_visible = true}) {
   stamps_.reset(0, 2 * kMaxPasses);
   breadcrumb_.mapped<uint32_t>()[0] = 0;
   commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 }
 
-void Frame::full_barrier() { commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier}); }
+void Frame::full_barrier() {
+  commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier});
+}
 
 void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record) {
   if (names_.size() == kMaxPasses) throw std::logic_error("a frame has too many passes");
@@ -134,9 +150,10 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
   names_.push_back(label);
   if (device_.has_debug_labels()) commands_.beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
   commands_.fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
-  // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass reads 0.02 ms). It also puts
-  // the stamp itself into the batch of the last framebuffer, which a dispatch overtakes: without the barrier behind the first
-  // stamp, a 48 ms dispatch that follows any drawing reads 0.1 ms.
+  // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass
+  // reads 0.02 ms). It also puts the stamp itself into the batch of the last framebuffer, which a dispatch
+  // overtakes: without the barrier behind the first stamp, a 48 ms dispatch that follows any drawing reads
+  // 0.1 ms.
   full_barrier();
   commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index);
   full_barrier();
@@ -151,15 +168,17 @@ std::vector<PassTime> Frame::finish() {
   commands_.end();
   try {
     const std::string& fault = device_.options().fault;
-    for (const std::string& name : names_) {   // injected by tests, where a real driver would report it
+    for (const std::string& name : names_) {  // injected by tests, where a real driver would report it
       if (fault == "device_lost@" + name) throw DeviceFailure("the device was lost (injected)");
       if (fault == "out_of_memory@" + name) throw DeviceFailure("out of device memory (injected)");
     }
     device_.submit_and_wait(commands_);
   } catch (const DeviceFailure& failure) {
     const std::string& fault = device_.options().fault;
-    if (!fault.empty()) device_.note_pass(fault.substr(fault.find('@') + 1));
-    else if (const uint32_t begun = breadcrumb_.mapped<uint32_t>()[0]) device_.note_pass(names_[begun - 1]);
+    if (!fault.empty())
+      device_.note_pass(fault.substr(fault.find('@') + 1));
+    else if (const uint32_t begun = breadcrumb_.mapped<uint32_t>()[0])
+      device_.note_pass(names_[begun - 1]);
     throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device_.last_pass()));
   }
   if (!names_.empty()) device_.note_pass(names_.back());

@@ -1,5 +1,5 @@
-// GPU work as a list of named, timed passes. frame.pass("splat", ...) is the one way to record: it opens a debug label,
-// a pair of timestamps and the barriers that separate it from its neighbours.
+// GPU work as a list of named, timed passes. frame.pass("splat", ...) is the one way to record: it opens a
+// debug label, a pair of timestamps and the barriers that separate it from its neighbours.
 #ifndef PLUME_GPU_FRAME_H
 #define PLUME_GPU_FRAME_H
 
@@ -22,7 +22,7 @@ using Bindings = std::vector<Binding>;
 struct Attachment {
   const Image* image;
   Blend blend = Blend::kReplace;
-  std::optional<std::array<float, 4>> clear;   ///< nothing: keeps what is there
+  std::optional<std::array<float, 4>> clear;  ///< nothing: keeps what is there
 };
 
 struct Area {
@@ -34,8 +34,8 @@ struct Draw {
   std::vector<Attachment> targets;
   const Image* depth = nullptr;
   DepthUse depth_use = DepthUse::kNone;
-  bool clear_depth = false;   ///< to "infinitely far", 0
-  Area area{0, 0};            ///< of viewport and scissor
+  bool clear_depth = false;  ///< to "infinitely far", 0
+  Area area{0, 0};           ///< of viewport and scissor
   Constants constants;
   Bindings bindings;
   uint32_t vertices = 3, instances = 1;
@@ -76,7 +76,8 @@ class Pass {
   friend class Frame;
   Pass(const vk::raii::CommandBuffer& commands, Pipelines& pipelines)
       : commands_(commands), pipelines_(pipelines) {}
-  void dispatch_raw(const Pipeline&, const Bindings&, std::span<const std::byte> push, std::array<uint32_t, 3>);
+  void dispatch_raw(const Pipeline&, const Bindings&, std::span<const std::byte> push,
+                    std::array<uint32_t, 3>);
   void draw_raw(const Draw&, std::span<const std::byte> push);
   void update_raw(const Buffer& buffer, std::span<const std::byte> data);
   void bind(const Pipeline&, const Bindings&, std::span<const std::byte> push);
@@ -95,8 +96,8 @@ class Frame {
   Frame(Device& device, Pipelines& pipelines);
 
   void pass(std::string_view name, const std::function<void(Pass&)>& record);
-  /// Submits, waits, and gives the passes' times in the order of recording. Throws DeviceFailure naming the last pass
-  /// that began when the device is lost or out of memory.
+  /// Submits, waits, and gives the passes' times in the order of recording. Throws DeviceFailure naming the
+  /// last pass that began when the device is lost or out of memory.
   std::vector<PassTime> finish();
 
   Device& device() { return device_; }
@@ -109,12 +110,14 @@ class Frame {
   Pipelines& pipelines_;
   vk::raii::CommandBuffer commands_;
   vk::raii::QueryPool stamps_;
-  Buffer breadcrumb_;   ///< host-visible: 1 + index of the last pass that began on the device
+  Buffer breadcrumb_;  ///< host-visible: 1 + index of the last pass that began on the device
   std::vector<std::string> names_;
 };
 
 /// Work groups that cover `items` with groups of `size`.
-constexpr uint32_t groups(uint64_t items, uint32_t size) { return uint32_t((items + size - 1) / size); }
+constexpr uint32_t groups(uint64_t items, uint32_t size) {
+  return uint32_t((items + size - 1) / size);
+}
 
 }  // namespace plume::gpu
 #endif

@@ -52,17 +52,19 @@ uint32_t Memory::type_index(uint32_t allowed, bool host_visible) const {
 Allocation Memory::allocate(const vk::MemoryRequirements& needs, bool host_visible, bool device_address,
                             std::string_view owner, std::string_view label) {
   if (limit_ && total_ + needs.size > limit_)
-    throw DeviceFailure(fmt::format("out of device memory: {}.{} needs {} bytes, {} of the limit of {} are in use", owner,
-                                    label, needs.size, total_, limit_));
+    throw DeviceFailure(
+        fmt::format("out of device memory: {}.{} needs {} bytes, {} of the limit of {} are in use", owner,
+                    label, needs.size, total_, limit_));
   const vk::MemoryAllocateFlagsInfo flags{.flags = vk::MemoryAllocateFlagBits::eDeviceAddress};
   Allocation result;
   try {
-    result.memory_ = device_->allocateMemory({.pNext = device_address ? &flags : nullptr,
-                                              .allocationSize = needs.size,
-                                              .memoryTypeIndex = type_index(needs.memoryTypeBits, host_visible)});
+    result.memory_ =
+        device_->allocateMemory({.pNext = device_address ? &flags : nullptr,
+                                 .allocationSize = needs.size,
+                                 .memoryTypeIndex = type_index(needs.memoryTypeBits, host_visible)});
   } catch (const vk::SystemError& error) {
-    throw DeviceFailure(fmt::format("out of device memory: {}.{} needs {} bytes, {} are in use ({})", owner, label,
-                                    needs.size, total_, error.what()));
+    throw DeviceFailure(fmt::format("out of device memory: {}.{} needs {} bytes, {} are in use ({})", owner,
+                                    label, needs.size, total_, error.what()));
   }
   result.account_ = this;
   result.owner_ = owner;

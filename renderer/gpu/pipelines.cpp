@@ -23,11 +23,19 @@ vk::PipelineColorBlendAttachmentState blend_state(Blend blend) {
     state.dstColorBlendFactor = state.dstAlphaBlendFactor = destination;
   };
   switch (blend) {
-    case Blend::kReplace: break;
-    case Blend::kAdd: factors(F::eOne, F::eOne); break;
-    case Blend::kMultiply: factors(F::eZero, F::eSrcColor); break;
-    case Blend::kOver: factors(F::eOne, F::eOneMinusSrcAlpha); break;
-    case Blend::kOverDual:   // premultiplied colour plus RGB transmission of what lies behind, in the second output
+    case Blend::kReplace:
+      break;
+    case Blend::kAdd:
+      factors(F::eOne, F::eOne);
+      break;
+    case Blend::kMultiply:
+      factors(F::eZero, F::eSrcColor);
+      break;
+    case Blend::kOver:
+      factors(F::eOne, F::eOneMinusSrcAlpha);
+      break;
+    case Blend::kOverDual:  // premultiplied colour plus RGB transmission of what lies behind, in the second
+                            // output
       factors(F::eOne, F::eSrc1Color);
       state.dstAlphaBlendFactor = F::eSrc1Alpha;
       break;
@@ -89,9 +97,10 @@ const Pipeline& Pipelines::compute(const std::string& shader, const Constants& c
 }
 
 const Pipeline& Pipelines::graphics(const GraphicsDesc& desc) {
-  std::string key = fmt::format("{} {} {} {}", desc.vertex, desc.fragment, int(desc.depth),
-                                fmt::join(desc.constants, ","));
-  for (const Target& target : desc.targets) key += fmt::format(" {}:{}", int(target.format), int(target.blend));
+  std::string key =
+      fmt::format("{} {} {} {}", desc.vertex, desc.fragment, int(desc.depth), fmt::join(desc.constants, ","));
+  for (const Target& target : desc.targets)
+    key += fmt::format(" {}:{}", int(target.format), int(target.blend));
   return find_or_make(std::move(key), [this, desc] { return make_graphics(desc); });
 }
 
@@ -111,8 +120,8 @@ Pipeline Pipelines::start(const std::string& name, std::span<const std::vector<u
       if (same == result.bindings.end())
         result.bindings.push_back(binding);
       else if (same->name != binding.name || same->type != binding.type)
-        throw ShaderError(fmt::format("{}: binding {} is {} in one stage and {} in the other", name, binding.binding,
-                                      same->name, binding.name));
+        throw ShaderError(fmt::format("{}: binding {} is {} in one stage and {} in the other", name,
+                                      binding.binding, same->name, binding.name));
     }
   std::vector<vk::DescriptorSetLayoutBinding> layout;
   for (const ShaderBinding& binding : result.bindings)
@@ -138,12 +147,12 @@ Pipeline Pipelines::make_compute(const std::string& shader, const Constants& con
   Pipeline result = start(shader, std::span(&words, 1), vk::PipelineBindPoint::eCompute);
   const auto module = make_module(device_, words);
   const Specialisation specialisation(constants);
-  result.pipeline = device_.vk().createComputePipeline(
-      nullptr, {.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
-                          .module = *module,
-                          .pName = "main",
-                          .pSpecializationInfo = &specialisation.info},
-                .layout = *result.layout});
+  result.pipeline =
+      device_.vk().createComputePipeline(nullptr, {.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
+                                                             .module = *module,
+                                                             .pName = "main",
+                                                             .pSpecializationInfo = &specialisation.info},
+                                                   .layout = *result.layout});
   device_.label(result.pipeline, shader);
   return result;
 }
@@ -165,11 +174,14 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
   const vk::PipelineVertexInputStateCreateInfo no_vertex_buffers;
   const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
   const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
-  const vk::PipelineRasterizationStateCreateInfo raster{.cullMode = vk::CullModeFlagBits::eNone, .lineWidth = 1.0f};
-  const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = vk::SampleCountFlagBits::e1};
-  const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = desc.depth != DepthUse::kNone,
-                                                      .depthWriteEnable = desc.depth == DepthUse::kTestAndWrite,
-                                                      .depthCompareOp = vk::CompareOp::eGreaterOrEqual};
+  const vk::PipelineRasterizationStateCreateInfo raster{.cullMode = vk::CullModeFlagBits::eNone,
+                                                        .lineWidth = 1.0f};
+  const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples =
+                                                               vk::SampleCountFlagBits::e1};
+  const vk::PipelineDepthStencilStateCreateInfo depth{
+      .depthTestEnable = desc.depth != DepthUse::kNone,
+      .depthWriteEnable = desc.depth == DepthUse::kTestAndWrite,
+      .depthCompareOp = vk::CompareOp::eGreaterOrEqual};
   std::vector<vk::PipelineColorBlendAttachmentState> blends;
   std::vector<vk::Format> formats;
   for (const Target& target : desc.targets) {
@@ -180,22 +192,23 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
                                                     .pAttachments = blends.data()};
   const vk::DynamicState dynamic_states[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
   const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = 2, .pDynamicStates = dynamic_states};
-  const vk::PipelineRenderingCreateInfo rendering{
-      .colorAttachmentCount = uint32_t(formats.size()),
-      .pColorAttachmentFormats = formats.data(),
-      .depthAttachmentFormat = desc.depth == DepthUse::kNone ? vk::Format::eUndefined : vk::Format::eD32Sfloat};
+  const vk::PipelineRenderingCreateInfo rendering{.colorAttachmentCount = uint32_t(formats.size()),
+                                                  .pColorAttachmentFormats = formats.data(),
+                                                  .depthAttachmentFormat = desc.depth == DepthUse::kNone
+                                                                               ? vk::Format::eUndefined
+                                                                               : vk::Format::eD32Sfloat};
   result.pipeline = device_.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
-                                                                 .stageCount = 2,
-                                                                 .pStages = stages,
-                                                                 .pVertexInputState = &no_vertex_buffers,
-                                                                 .pInputAssemblyState = &assembly,
-                                                                 .pViewportState = &viewport,
-                                                                 .pRasterizationState = &raster,
-                                                                 .pMultisampleState = &multisample,
-                                                                 .pDepthStencilState = &depth,
-                                                                 .pColorBlendState = &blend,
-                                                                 .pDynamicState = &dynamic,
-                                                                 .layout = *result.layout});
+                                                                  .stageCount = 2,
+                                                                  .pStages = stages,
+                                                                  .pVertexInputState = &no_vertex_buffers,
+                                                                  .pInputAssemblyState = &assembly,
+                                                                  .pViewportState = &viewport,
+                                                                  .pRasterizationState = &raster,
+                                                                  .pMultisampleState = &multisample,
+                                                                  .pDepthStencilState = &depth,
+                                                                  .pColorBlendState = &blend,
+                                                                  .pDynamicState = &dynamic,
+                                                                  .layout = *result.layout});
   device_.label(result.pipeline, name);
   return result;
 }

@@ -38,9 +38,9 @@ struct Target {
 enum class DepthUse { kNone, kTest, kTestAndWrite };
 
 struct GraphicsDesc {
-  std::string vertex, fragment;   ///< shader names; no vertex buffers: shaders pull
+  std::string vertex, fragment;  ///< shader names; no vertex buffers: shaders pull
   std::vector<Target> targets;
-  DepthUse depth = DepthUse::kNone;   ///< reversed: nearer is greater; D32
+  DepthUse depth = DepthUse::kNone;  ///< reversed: nearer is greater; D32
   Constants constants;
 };
 
@@ -51,7 +51,8 @@ class Pipelines {
   const Pipeline& compute(const std::string& shader, const Constants& constants = {});
   const Pipeline& graphics(const GraphicsDesc& desc);
 
-  /// Makes every pipeline anew from the shaders as they are now. A failure throws ShaderError and keeps the old ones.
+  /// Makes every pipeline anew from the shaders as they are now. A failure throws ShaderError and keeps the
+  /// old ones.
   void reload();
   size_t count() const { return pipelines_.size(); }
   /// Clamped to the edge; linear, except for formats that devices need not filter.

@@ -36,19 +36,31 @@ std::vector<ShaderBinding> reflect(std::span<const uint32_t> words) {
 
   for (size_t i = 5; i < words.size();) {
     const uint32_t count = words[i] >> 16, opcode = words[i] & 0xffff;
-    if (count == 0 || i + count > words.size()) throw ShaderError("a SPIR-V module ends inside an instruction");
+    if (count == 0 || i + count > words.size())
+      throw ShaderError("a SPIR-V module ends inside an instruction");
     const auto operand = [&](uint32_t n) { return words[i + n]; };
     switch (opcode) {
-      case kOpName: names[operand(1)] = reinterpret_cast<const char*>(&words[i + 2]); break;
+      case kOpName:
+        names[operand(1)] = reinterpret_cast<const char*>(&words[i + 2]);
+        break;
       case kOpDecorate:
         if (operand(2) == kDecorationBinding) bindings[operand(1)] = operand(3);
         break;
-      case kOpTypeImage: image_usage[operand(1)] = operand(7); [[fallthrough]];
+      case kOpTypeImage:
+        image_usage[operand(1)] = operand(7);
+        [[fallthrough]];
       case kOpTypeSampledImage:
-      case kOpTypeStruct: kinds[operand(1)] = Op(opcode); break;
-      case kOpTypePointer: pointees[operand(1)] = operand(3); break;
-      case kOpVariable: variables.push_back({operand(2), operand(1), operand(3)}); break;
-      default: break;
+      case kOpTypeStruct:
+        kinds[operand(1)] = Op(opcode);
+        break;
+      case kOpTypePointer:
+        pointees[operand(1)] = operand(3);
+        break;
+      case kOpVariable:
+        variables.push_back({operand(2), operand(1), operand(3)});
+        break;
+      default:
+        break;
     }
     i += count;
   }
@@ -62,7 +74,8 @@ std::vector<ShaderBinding> reflect(std::span<const uint32_t> words) {
     if (variable.storage == kUniform) descriptor = vk::DescriptorType::eUniformBuffer;
     if (variable.storage == kUniformConstant && kinds[type] == kOpTypeSampledImage)
       descriptor = vk::DescriptorType::eCombinedImageSampler;
-    if (variable.storage == kUniformConstant && kinds[type] == kOpTypeImage && image_usage[type] == kSampledStorage)
+    if (variable.storage == kUniformConstant && kinds[type] == kOpTypeImage &&
+        image_usage[type] == kSampledStorage)
       descriptor = vk::DescriptorType::eStorageImage;
     if (!descriptor) throw ShaderError("a descriptor of an unsupported kind: " + names[variable.id]);
     const bool is_block = variable.storage != kUniformConstant;

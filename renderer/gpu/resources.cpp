@@ -11,15 +11,16 @@ namespace plume::gpu {
 namespace {
 
 constexpr vk::ImageSubresourceRange whole(vk::ImageAspectFlags aspect) {
-  return {.aspectMask = aspect, .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = VK_REMAINING_ARRAY_LAYERS};
+  return {
+      .aspectMask = aspect, .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = VK_REMAINING_ARRAY_LAYERS};
 }
 
 Buffer staging_buffer(Device& device, vk::DeviceSize bytes) {
   return Buffer(device, {.owner = "staging", .label = "staging", .bytes = bytes, .host_visible = true});
 }
 
-Allocation allocate(Device& device, const vk::MemoryRequirements& needs, bool host_visible, bool device_address,
-                    const std::string& owner, const std::string& label) try {
+Allocation allocate(Device& device, const vk::MemoryRequirements& needs, bool host_visible,
+                    bool device_address, const std::string& owner, const std::string& label) try {
   return device.memory().allocate(needs, host_visible, device_address, owner, label);
 } catch (const DeviceFailure& failure) {
   throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device.last_pass()));
@@ -37,11 +38,12 @@ void make_visible_to_host(const vk::raii::CommandBuffer& commands) {
 
 Buffer::Buffer(Device& device, const BufferDesc& desc) : bytes_(desc.bytes) {
   using Usage = vk::BufferUsageFlagBits;
-  buffer_ = device.vk().createBuffer(
-      {.size = desc.bytes,
-       .usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc |
-                Usage::eTransferDst | Usage::eShaderDeviceAddress});
-  allocation_ = allocate(device, buffer_.getMemoryRequirements(), desc.host_visible, true, desc.owner, desc.label);
+  buffer_ = device.vk().createBuffer({.size = desc.bytes,
+                                      .usage = Usage::eStorageBuffer | Usage::eUniformBuffer |
+                                               Usage::eIndirectBuffer | Usage::eTransferSrc |
+                                               Usage::eTransferDst | Usage::eShaderDeviceAddress});
+  allocation_ =
+      allocate(device, buffer_.getMemoryRequirements(), desc.host_visible, true, desc.owner, desc.label);
   buffer_.bindMemory(*allocation_.memory(), 0);
   address_ = device.vk().getBufferAddress({.buffer = *buffer_});
   if (desc.host_visible) mapped_ = allocation_.memory().mapMemory(0, VK_WHOLE_SIZE);
@@ -61,24 +63,23 @@ Buffer make_buffer(Device& device, std::string owner, std::string label, std::sp
 Image::Image(Device& device, const ImageDesc& desc)
     : format_(desc.format), extent_(desc.extent), layers_(std::max(desc.layers, 1u)) {
   const bool volume = desc.extent.depth > 1;
-  image_ = device.vk().createImage({.imageType = volume ? vk::ImageType::e3D : vk::ImageType::e2D,
-                                    .format = desc.format,
-                                    .extent = desc.extent,
-                                    .mipLevels = 1,
-                                    .arrayLayers = layers_,
-                                    .samples = vk::SampleCountFlagBits::e1,
-                                    .tiling = vk::ImageTiling::eOptimal,
-                                    .usage = desc.usage | vk::ImageUsageFlagBits::eTransferSrc |
-                                             vk::ImageUsageFlagBits::eTransferDst});
+  image_ = device.vk().createImage(
+      {.imageType = volume ? vk::ImageType::e3D : vk::ImageType::e2D,
+       .format = desc.format,
+       .extent = desc.extent,
+       .mipLevels = 1,
+       .arrayLayers = layers_,
+       .samples = vk::SampleCountFlagBits::e1,
+       .tiling = vk::ImageTiling::eOptimal,
+       .usage = desc.usage | vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst});
   allocation_ = allocate(device, image_.getMemoryRequirements(), false, false, desc.owner, desc.label);
   image_.bindMemory(*allocation_.memory(), 0);
-  view_ = device.vk().createImageView(
-      {.image = *image_,
-       .viewType = volume             ? vk::ImageViewType::e3D
-                   : desc.layers > 0 ? vk::ImageViewType::e2DArray
-                                     : vk::ImageViewType::e2D,
-       .format = desc.format,
-       .subresourceRange = whole(aspect())});
+  view_ = device.vk().createImageView({.image = *image_,
+                                       .viewType = volume            ? vk::ImageViewType::e3D
+                                                   : desc.layers > 0 ? vk::ImageViewType::e2DArray
+                                                                     : vk::ImageViewType::e2D,
+                                       .format = desc.format,
+                                       .subresourceRange = whole(aspect())});
   device.label(image_, desc.owner + "." + desc.label);
   device.label(view_, desc.owner + "." + desc.label);
   device.immediate([&](const vk::raii::CommandBuffer& commands) {
@@ -94,23 +95,30 @@ Image::Image(Device& device, const ImageDesc& desc)
 }
 
 vk::ImageAspectFlags Image::aspect() const {
-  return format_ == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+  return format_ == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth
+                                           : vk::ImageAspectFlagBits::eColor;
 }
 
 uint32_t texel_bytes(vk::Format format) {
   switch (format) {
-    case vk::Format::eR8Unorm: return 1;
+    case vk::Format::eR8Unorm:
+      return 1;
     case vk::Format::eR16Sfloat:
-    case vk::Format::eR16Unorm: return 2;
+    case vk::Format::eR16Unorm:
+      return 2;
     case vk::Format::eR8G8B8A8Unorm:
     case vk::Format::eR8G8B8A8Srgb:
     case vk::Format::eB10G11R11UfloatPack32:
     case vk::Format::eR32Sfloat:
     case vk::Format::eR32Uint:
-    case vk::Format::eD32Sfloat: return 4;
-    case vk::Format::eR16G16B16A16Sfloat: return 8;
-    case vk::Format::eR32G32B32A32Sfloat: return 16;
-    default: throw std::invalid_argument("no texel size known for " + vk::to_string(format));
+    case vk::Format::eD32Sfloat:
+      return 4;
+    case vk::Format::eR16G16B16A16Sfloat:
+      return 8;
+    case vk::Format::eR32G32B32A32Sfloat:
+      return 16;
+    default:
+      throw std::invalid_argument("no texel size known for " + vk::to_string(format));
   }
 }
 
@@ -126,8 +134,8 @@ std::vector<std::byte> read_bytes(Device& device, const Buffer& buffer) {
 
 std::vector<std::byte> read_bytes(Device& device, const Image& image) {
   const auto extent = image.extent();
-  const Buffer staging = staging_buffer(device, vk::DeviceSize(extent.width) * extent.height * extent.depth *
-                                                    texel_bytes(image.format()));
+  const Buffer staging = staging_buffer(
+      device, vk::DeviceSize(extent.width) * extent.height * extent.depth * texel_bytes(image.format()));
   device.immediate([&](const vk::raii::CommandBuffer& commands) {
     commands.copyImageToBuffer(
         image.vk(), vk::ImageLayout::eGeneral, staging.vk(),

@@ -1,6 +1,7 @@
 // Buffers and images: move-only, labelled, their memory on their owner's account.
-// Images stay in VK_IMAGE_LAYOUT_GENERAL all their life: passes are separated by full memory barriers, so one layout is one
-// idea less, and drivers of today gain little from others (the reasoning of VK_KHR_unified_image_layouts).
+// Images stay in VK_IMAGE_LAYOUT_GENERAL all their life: passes are separated by full memory barriers, so one
+// layout is one idea less, and drivers of today gain little from others (the reasoning of
+// VK_KHR_unified_image_layouts).
 #ifndef PLUME_GPU_RESOURCES_H
 #define PLUME_GPU_RESOURCES_H
 
@@ -12,10 +13,10 @@
 namespace plume::gpu {
 
 struct BufferDesc {
-  std::string owner;           ///< account of the memory: "avboit", "simulation"
-  std::string label;           ///< "extinction"
-  vk::DeviceSize bytes = 0;    ///< at least 1
-  bool host_visible = false;   ///< mapped for the host as long as it lives
+  std::string owner;          ///< account of the memory: "avboit", "simulation"
+  std::string label;          ///< "extinction"
+  vk::DeviceSize bytes = 0;   ///< at least 1
+  bool host_visible = false;  ///< mapped for the host as long as it lives
 };
 
 class Buffer {
@@ -51,9 +52,9 @@ Buffer make_buffer(Device& device, std::string owner, std::string label, const s
 struct ImageDesc {
   std::string owner, label;
   vk::Format format = vk::Format::eUndefined;
-  vk::Extent3D extent{1, 1, 1};   ///< depth > 1 makes a 3-D image
-  uint32_t layers = 0;            ///< 0: a plain 2-D image; otherwise an array of so many layers
-  vk::ImageUsageFlags usage;      ///< transfer in both directions is always added
+  vk::Extent3D extent{1, 1, 1};  ///< depth > 1 makes a 3-D image
+  uint32_t layers = 0;           ///< 0: a plain 2-D image; otherwise an array of so many layers
+  vk::ImageUsageFlags usage;     ///< transfer in both directions is always added
 };
 
 class Image {

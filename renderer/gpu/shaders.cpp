@@ -72,7 +72,8 @@ std::vector<uint32_t> compile(const std::filesystem::path& folder, std::string_v
   glslang::TProgram program;
   program.addShader(&shader);
   if (!shader.parse(GetDefaultResources(), 460, false, rules, includer) || !program.link(rules))
-    throw ShaderError(fmt::format("{} does not compile:\n{}{}", name, shader.getInfoLog(), program.getInfoLog()));
+    throw ShaderError(
+        fmt::format("{} does not compile:\n{}{}", name, shader.getInfoLog(), program.getInfoLog()));
   std::vector<uint32_t> words;
   glslang::GlslangToSpv(*program.getIntermediate(stage), words);
   return words;

@@ -1,4 +1,5 @@
-// The one place that includes Vulkan, so that every file sees it with the same switches. Heavy: precompiled by the build.
+// The one place that includes Vulkan, so that every file sees it with the same switches. Heavy: precompiled
+// by the build.
 #ifndef PLUME_GPU_VULKAN_H
 #define PLUME_GPU_VULKAN_H
 

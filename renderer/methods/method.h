@@ -1,5 +1,5 @@
-// What an order-independent transparency method is. One file in renderer/methods/, its shaders in shaders/methods/, one line in
-// methods.cpp: the rest of Plume finds it there.
+// What an order-independent transparency method is. One file in renderer/methods/, its shaders in
+// shaders/methods/, one line in methods.cpp: the rest of Plume finds it there.
 #ifndef PLUME_METHODS_METHOD_H
 #define PLUME_METHODS_METHOD_H
 
@@ -13,18 +13,19 @@ namespace plume {
 /// The one format of linear HDR images between passes.
 constexpr vk::Format kHdrFormat = vk::Format::eR16G16B16A16Sfloat;
 
-/// Images and buffers a method declares. The renderer makes them, names them, sizes them with the picture, and clears those that say so.
+/// Images and buffers a method declares. The renderer makes them, names them, sizes them with the picture,
+/// and clears those that say so.
 struct ImageNeed {
   std::string name;
   vk::Format format;
   vk::ImageUsageFlags usage;
-  uint32_t divisor = 1;   ///< of the picture's size, rounded up
-  uint32_t depth = 1;     ///< slices of a 3-D image
+  uint32_t divisor = 1;  ///< of the picture's size, rounded up
+  uint32_t depth = 1;    ///< slices of a 3-D image
 };
 struct BufferNeed {
   std::string name;
   uint64_t bytes;
-  std::optional<uint32_t> clear;   ///< word written before every frame
+  std::optional<uint32_t> clear;  ///< word written before every frame
 };
 struct Needs {
   std::vector<ImageNeed> images;
@@ -50,9 +51,9 @@ struct Picture {
   gpu::Frame& frame;
   const Resources& resources;
   const Transparents& transparents;
-  const gpu::Image& opaque_color;   ///< kHdrFormat
-  const gpu::Image& opaque_depth;   ///< D32, reversed
-  const gpu::Image& result;         ///< kHdrFormat: every pixel must be written
+  const gpu::Image& opaque_color;  ///< kHdrFormat
+  const gpu::Image& opaque_depth;  ///< D32, reversed
+  const gpu::Image& result;        ///< kHdrFormat: every pixel must be written
   glm::uvec2 size;
 
   gpu::Area area() const { return {size.x, size.y}; }
@@ -61,10 +62,10 @@ struct Picture {
 /// What a reader of the method list wants to know before any picture.
 struct Traits {
   std::string_view title;
-  std::string_view source;         ///< paper or document, and section
-  std::string_view transmission;   ///< how coloured transmission is treated
-  std::string_view emission;       ///< how emission without coverage is treated
-  std::string_view limits;         ///< its known failure
+  std::string_view source;        ///< paper or document, and section
+  std::string_view transmission;  ///< how coloured transmission is treated
+  std::string_view emission;      ///< how emission without coverage is treated
+  std::string_view limits;        ///< its known failure
 };
 
 class Method {
@@ -79,7 +80,8 @@ class Method {
   /// What it needs for a picture of `size` with so many cards.
   virtual Needs needs(glm::uvec2 size, uint32_t cards) const = 0;
   virtual void record(const Picture& picture) = 0;
-  /// Called when the frame is done: true when something overflowed, needs() has grown, and the frame must be drawn again.
+  /// Called when the frame is done: true when something overflowed, needs() has grown, and the frame must be
+  /// drawn again.
   virtual bool must_redraw(gpu::Device&, const Resources&) { return false; }
 };
 

@@ -1,6 +1,7 @@
 #include "renderer/methods/methods.h"
 
-// THE list. The order is the order of tables and reports: the reference first, since every error is measured against it.
+// THE list. The order is the order of tables and reports: the reference first, since every error is measured
+// against it.
 #define PLUME_METHODS(X) \
   X(reference)           \
   X(sorted)              \

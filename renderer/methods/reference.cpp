@@ -1,9 +1,11 @@
-// The exact reference: every fragment captured per pixel in a linked list (Yang et al., EGSR 2010), sorted by (depth, card), composited
-// in 32-bit float. It never truncates: a pool that is too small is grown and the frame drawn again.
+// The exact reference: every fragment captured per pixel in a linked list (Yang et al., EGSR 2010), sorted by
+// (depth, card), composited in 32-bit float. It never truncates: a pool that is too small is grown and the
+// frame drawn again.
+#include "shaders/methods/reference.h"
+
 #include <cstddef>
 
 #include "renderer/methods/methods.h"
-#include "shaders/methods/reference.h"
 
 namespace plume {
 namespace {
@@ -21,9 +23,10 @@ class Reference final : public Method {
 
   Needs needs(glm::uvec2 size, uint32_t) const override {
     return {.images = {},
-            .buffers = {{.name = "heads", .bytes = uint64_t(size.x) * size.y * 4, .clear = shared::kListEnd},
-                        {.name = "pool", .bytes = sizeof(shared::FragmentPool), .clear = 0},
-                        {.name = "nodes", .bytes = uint64_t(capacity_) * sizeof(shared::FragmentNode), .clear = {}}}};
+            .buffers = {
+                {.name = "heads", .bytes = uint64_t(size.x) * size.y * 4, .clear = shared::kListEnd},
+                {.name = "pool", .bytes = sizeof(shared::FragmentPool), .clear = 0},
+                {.name = "nodes", .bytes = uint64_t(capacity_) * sizeof(shared::FragmentNode), .clear = {}}}};
   }
 
   void record(const Picture& picture) override {
@@ -32,9 +35,9 @@ class Reference final : public Method {
     const uint64_t nodes = picture.resources.buffer("nodes").address();
 
     picture.frame.pass("capture", [&](gpu::Pass& pass) {
-      pass.update(pool, shared::FragmentPool{.count = 0,
-                                             .capacity = capacity_,
-                                             .address = {uint32_t(nodes), uint32_t(nodes >> 32)}});
+      pass.update(
+          pool, shared::FragmentPool{
+                    .count = 0, .capacity = capacity_, .address = {uint32_t(nodes), uint32_t(nodes >> 32)}});
       pass.barrier();
       picture.transparents.draw(pass, {.fragment = "methods/reference_capture.frag",
                                        .targets = {},
@@ -57,7 +60,7 @@ class Reference final : public Method {
   bool must_redraw(gpu::Device& device, const Resources& resources) override {
     const auto pool = gpu::read<shared::FragmentPool>(device, resources.buffer("pool"))[0];
     if (pool.count <= pool.capacity) return false;
-    capacity_ = pool.count + pool.count / 8;   // room for the next frame of a growing effect
+    capacity_ = pool.count + pool.count / 8;  // room for the next frame of a growing effect
     return true;
   }
 
@@ -67,6 +70,8 @@ class Reference final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_reference() { return std::make_unique<Reference>(); }
+std::unique_ptr<Method> make_reference() {
+  return std::make_unique<Reference>();
+}
 
 }  // namespace plume

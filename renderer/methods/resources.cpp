@@ -5,20 +5,25 @@ namespace plume {
 void Resources::fit(gpu::Device& device, const std::string& owner, const Needs& needs, glm::uvec2 size) {
   std::map<std::string, gpu::Image> images;
   for (const ImageNeed& need : needs.images) {
-    const vk::Extent3D extent{(size.x + need.divisor - 1) / need.divisor, (size.y + need.divisor - 1) / need.divisor,
-                              need.depth};
+    const vk::Extent3D extent{(size.x + need.divisor - 1) / need.divisor,
+                              (size.y + need.divisor - 1) / need.divisor, need.depth};
     auto old = images_.find(need.name);
-    const bool fits = old != images_.end() && old->second.format() == need.format && old->second.extent() == extent;
+    const bool fits =
+        old != images_.end() && old->second.format() == need.format && old->second.extent() == extent;
     images[need.name] = fits ? std::move(old->second)
-                             : gpu::Image(device, {.owner = owner, .label = need.name, .format = need.format,
-                                                   .extent = extent, .usage = need.usage});
+                             : gpu::Image(device, {.owner = owner,
+                                                   .label = need.name,
+                                                   .format = need.format,
+                                                   .extent = extent,
+                                                   .usage = need.usage});
   }
   std::map<std::string, gpu::Buffer> buffers;
   for (const BufferNeed& need : needs.buffers) {
     auto old = buffers_.find(need.name);
     const bool fits = old != buffers_.end() && old->second.bytes() == need.bytes;
-    buffers[need.name] = fits ? std::move(old->second)
-                              : gpu::Buffer(device, {.owner = owner, .label = need.name, .bytes = need.bytes});
+    buffers[need.name] = fits
+                             ? std::move(old->second)
+                             : gpu::Buffer(device, {.owner = owner, .label = need.name, .bytes = need.bytes});
   }
   images_ = std::move(images);
   buffers_ = std::move(buffers);

@@ -1,5 +1,5 @@
-// Alpha blending in sorted order ("No OIT"): the GPU sorts all cards by the depth of their centres, then they are blended back to
-// front. The sort is part of the cost and its own pass.
+// Alpha blending in sorted order ("No OIT"): the GPU sorts all cards by the depth of their centres, then they
+// are blended back to front. The sort is part of the cost and its own pass.
 #include "renderer/methods/methods.h"
 #include "renderer/radix_sort.h"
 
@@ -14,7 +14,8 @@ class Sorted final : public Method {
             .source = "the baseline of Drobot 2025 (\"No OIT\"), GPU sort across all cards",
             .transmission = "RGB, by dual-source blending",
             .emission = "exact",
-            .limits = "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer"};
+            .limits =
+                "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer"};
   }
 
   Needs needs(glm::uvec2, uint32_t cards) const override {
@@ -34,30 +35,34 @@ class Sorted final : public Method {
     picture.frame.pass("sort", [&](gpu::Pass& pass) {
       if (count == 0) return;
       pass.dispatch(pass.pipelines().compute("methods/sort_keys.comp"),
-                    {{"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}}, count,
-                    {gpu::groups(count, 256), 1, 1});
+                    {{"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}},
+                    count, {gpu::groups(count, 256), 1, 1});
       pass.barrier();
       radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
       pass.dispatch(pass.pipelines().compute("methods/sorted_order.comp"),
-                    {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count, {gpu::groups(count, 256), 1, 1});
+                    {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count,
+                    {gpu::groups(count, 256), 1, 1});
     });
     picture.frame.pass("copy", [&](gpu::Pass& pass) { pass.copy(picture.opaque_color, picture.result); });
     picture.frame.pass("draw", [&](gpu::Pass& pass) {
-      transparents.draw(pass, {.fragment = "methods/sorted.frag",
-                               .targets = {{.image = &picture.result, .blend = gpu::Blend::kOverDual, .clear = {}}},
-                               .depth_test = &picture.opaque_depth,
-                               .opaque_depth = &picture.opaque_depth,
-                               .area = picture.area(),
-                               .constants = {},
-                               .bindings = {},
-                               .order = buffer("order"),
-                               .backwards = true});
+      transparents.draw(pass,
+                        {.fragment = "methods/sorted.frag",
+                         .targets = {{.image = &picture.result, .blend = gpu::Blend::kOverDual, .clear = {}}},
+                         .depth_test = &picture.opaque_depth,
+                         .opaque_depth = &picture.opaque_depth,
+                         .area = picture.area(),
+                         .constants = {},
+                         .bindings = {},
+                         .order = buffer("order"),
+                         .backwards = true});
     });
   }
 };
 
 }  // namespace
 
-std::unique_ptr<Method> make_sorted() { return std::make_unique<Sorted>(); }
+std::unique_ptr<Method> make_sorted() {
+  return std::make_unique<Sorted>();
+}
 
 }  // namespace plume

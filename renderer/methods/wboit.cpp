@@ -1,4 +1,5 @@
-// Weighted, blended order-independent transparency. McGuire and Bavoil, JCGT 2(2), 2013; see shaders/methods/wboit.frag.
+// Weighted, blended order-independent transparency. McGuire and Bavoil, JCGT 2(2), 2013; see
+// shaders/methods/wboit.frag.
 #include <bit>
 
 #include "renderer/methods/methods.h"
@@ -14,24 +15,31 @@ class Wboit final : public Method {
  public:
   std::string_view id() const override { return "wboit"; }
   Traits traits() const override {
-    return {.title = "Weighted blended",
-            .source = "McGuire and Bavoil, JCGT 2(2) 2013, equations 7 to 10; McGuire's blog 2013; LearnOpenGL 2020",
-            .transmission = "the mean of RGB",
-            .emission = "in the weighted average where covered; added unattenuated where not",
-            .limits = "the weight must be tuned to the scene's depths; near-opaque surfaces bleed"};
+    return {
+        .title = "Weighted blended",
+        .source =
+            "McGuire and Bavoil, JCGT 2(2) 2013, equations 7 to 10; McGuire's blog 2013; LearnOpenGL 2020",
+        .transmission = "the mean of RGB",
+        .emission = "in the weighted average where covered; added unattenuated where not",
+        .limits = "the weight must be tuned to the scene's depths; near-opaque surfaces bleed"};
   }
 
   void visit(ParameterVisitor& visitor) override {
-    visitor.choice("weight", weight_, kWeights, "which published guess of the transmittance weighs a fragment");
-    visitor.number("depth_scale", depth_scale_, {.min = 0.001, .max = 1000.0, .unit = "1/m",
-                                                 .help = "the paper's depth units per metre: tunes the weight to the scene"});
+    visitor.choice("weight", weight_, kWeights,
+                   "which published guess of the transmittance weighs a fragment");
+    visitor.number("depth_scale", depth_scale_,
+                   {.min = 0.001,
+                    .max = 1000.0,
+                    .unit = "1/m",
+                    .help = "the paper's depth units per metre: tunes the weight to the scene"});
   }
 
   Needs needs(glm::uvec2, uint32_t) const override {
-    return {.images = {{.name = "accum", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage},
-                       {.name = "revealage", .format = vk::Format::eR16Sfloat, .usage = kTargetUsage},
-                       {.name = "emission", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage}},
-            .buffers = {}};
+    return {
+        .images = {{.name = "accum", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage},
+                   {.name = "revealage", .format = vk::Format::eR16Sfloat, .usage = kTargetUsage},
+                   {.name = "emission", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage}},
+        .buffers = {}};
   }
 
   void record(const Picture& picture) override {
@@ -68,6 +76,8 @@ class Wboit final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_wboit() { return std::make_unique<Wboit>(); }
+std::unique_ptr<Method> make_wboit() {
+  return std::make_unique<Wboit>();
+}
 
 }  // namespace plume

@@ -1,8 +1,9 @@
 // plume check FILE...: everything wrong in effects, scenes and scripts, all at once.
+#include "sandbox/presets/check.h"
+
 #include <fmt/format.h>
 
 #include "sandbox/commands/command.h"
-#include "sandbox/presets/check.h"
 
 namespace plume {
 namespace {

@@ -16,8 +16,8 @@ namespace plume {
 
 enum ExitCode {
   kDone = 0,
-  kToleranceExceeded = 1,   ///< also: a validation message under --validate
-  kBadUsage = 2,            ///< arguments or an input file
+  kToleranceExceeded = 1,  ///< also: a validation message under --validate
+  kBadUsage = 2,           ///< arguments or an input file
   kNoDevice = 3,
   kDeviceFailed = 4,
   kInterrupted = 130
@@ -41,7 +41,8 @@ struct DrawFlags {
 };
 void add_draw_flags(CLI::App& command, DrawFlags& flags);
 
-/// Applies every `--set method.parameter=value` to the methods of that id that do not name the parameter themselves.
+/// Applies every `--set method.parameter=value` to the methods of that id that do not name the parameter
+/// themselves.
 void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays);
 
 gpu::DeviceOptions device_options(const DrawFlags& flags);
@@ -70,7 +71,8 @@ void add_diff(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_list(CLI::App& program, Run& run);
 
-/// The arguments with the command `open` where it was left out: with none at all, and before the name of a scene.
+/// The arguments with the command `open` where it was left out: with none at all, and before the name of a
+/// scene.
 std::vector<std::string> with_open(const CLI::App& program, std::vector<std::string> arguments);
 
 }  // namespace plume

@@ -22,7 +22,8 @@ std::vector<MethodRun> method_runs(const std::vector<std::string>& names) {
       continue;
     }
     if (!make_method(name))
-      throw UsageError(fmt::format("--methods: unknown method `{}`, {}", name, suggestion(name, method_ids())));
+      throw UsageError(
+          fmt::format("--methods: unknown method `{}`, {}", name, suggestion(name, method_ids())));
     runs.push_back({.id = name, .settings = {}});
   }
   return runs;
@@ -48,13 +49,17 @@ int run_compare(const CompareFlags& flags) {
 
 void add_compare(CLI::App& program, Run& run) {
   auto flags = std::make_shared<CompareFlags>();
-  CLI::App* command = program.add_subcommand("compare", "accuracy and time of methods against the exact reference");
+  CLI::App* command =
+      program.add_subcommand("compare", "accuracy and time of methods against the exact reference");
   command->add_option("SCENE", flags->scenes, "ids of `plume list scenes`, or files")->required();
   command->add_option("--methods", flags->methods, "all, or ids of `plume list methods`, comma-separated")
       ->delimiter(',')
-      ->allow_extra_args(false);   // what follows is a scene
-  command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")->check(CLI::Range(0, 216'000));
-  command->add_option("--frames", flags->frames, "timed repetitions of each method")->check(CLI::Range(1, 10000))->capture_default_str();
+      ->allow_extra_args(false);  // what follows is a scene
+  command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")
+      ->check(CLI::Range(0, 216'000));
+  command->add_option("--frames", flags->frames, "timed repetitions of each method")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   add_draw_flags(*command, *flags);
   command->callback([flags, &run] { run = [flags] { return run_compare(*flags); }; });
 }

@@ -1,12 +1,12 @@
 // The flags of drawing commands and their common end.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <unistd.h>
 
 #include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
@@ -31,7 +31,8 @@ class Progress {
   }
   void operator()(size_t done, size_t total, const std::string& what) {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const std::string eta = done < total ? duration(elapsed / double(done) * double(total - done)) + " left" : "done in " + duration(elapsed);
+    const std::string eta = done < total ? duration(elapsed / double(done) * double(total - done)) + " left"
+                                         : "done in " + duration(elapsed);
     line_is_open_ = terminal_ && done < total;
     fmt::print(stderr, "{}[{}/{}] {} · {}{}", terminal_ ? "\r\x1b[K" : "", done, total, what, eta,
                line_is_open_ ? "" : "\n");
@@ -83,20 +84,26 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
   command.add_option_function<std::string>(
       "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
       "picture size, WxH, 1x1 to 16384x16384");
-  command.add_option("--seed", flags.seed, "instead of the scene's")->check(CLI::Range(uint32_t(0), UINT32_MAX));
-  command.add_option("--device", flags.device, "part of a device's name, or its index in `plume list devices`");
-  command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`")->allow_extra_args(false);
+  command.add_option("--seed", flags.seed, "instead of the scene's")
+      ->check(CLI::Range(uint32_t(0), UINT32_MAX));
+  command.add_option("--device", flags.device,
+                     "part of a device's name, or its index in `plume list devices`");
+  command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`")
+      ->allow_extra_args(false);
   command.add_option_function<std::string>(
       "--shard", [&flags](const std::string& text) { flags.shard = parse_shard(text); },
       "I/N: only the I-th of N parts of the ticks, from 0");
   command.add_flag("--resume", flags.resume,
                    "keep the frames in --out and draw what is missing; scenes, scripts and --seed as before");
-  command.add_flag("--validate", flags.validate, "run with the Vulkan validation layer; any message makes the exit code 1");
+  command.add_flag("--validate", flags.validate,
+                   "run with the Vulkan validation layer; any message makes the exit code 1");
   command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
   command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
       ->capture_default_str()
-      ->check([](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; });
-  command.add_option("--shaders", flags.shaders, "compile shaders from this folder instead of the embedded ones");
+      ->check(
+          [](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; });
+  command.add_option("--shaders", flags.shaders,
+                     "compile shaders from this folder instead of the embedded ones");
   command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
       ->check(CLI::Range(1, 1 << 24));
 }
@@ -106,24 +113,27 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Replay
     const auto assignment = split(setting, '=');
     const auto name = assignment ? split(assignment->first, '.') : std::nullopt;
     if (!name)
-      throw UsageError(fmt::format("--set {}: expected method.parameter=value, such as wboit.weight=eq9", setting));
+      throw UsageError(
+          fmt::format("--set {}: expected method.parameter=value, such as wboit.weight=eq9", setting));
     const auto method = make_method(name->first);
     if (!method)
       throw UsageError(fmt::format("--set {}: unknown method `{}`, {}", setting, name->first,
                                    suggestion(name->first, method_ids())));
-    set_parameter(*method, name->second, assignment->second);   // says what is wrong before anything runs
+    set_parameter(*method, name->second, assignment->second);  // says what is wrong before anything runs
     bool changes = false;
     for (Replay& replay : replays)
       for (MethodRun& run : replay.methods)
-        if (run.id == name->first) changes |= run.settings.try_emplace(name->second, assignment->second).second;
+        if (run.id == name->first)
+          changes |= run.settings.try_emplace(name->second, assignment->second).second;
     if (!changes)
-      throw UsageError(fmt::format("--set {}: changes nothing, since {} is not drawn or has its {} set already", setting,
-                                   name->first, name->second));
+      throw UsageError(
+          fmt::format("--set {}: changes nothing, since {} is not drawn or has its {} set already", setting,
+                      name->first, name->second));
   }
 }
 
 gpu::DeviceOptions device_options(const DrawFlags& flags) {
-  const char* fault = std::getenv("PLUME_FAULT");   // tests inject what drivers rarely do
+  const char* fault = std::getenv("PLUME_FAULT");  // tests inject what drivers rarely do
   return {.select = flags.device,
           .validate = flags.validate,
           .memory_limit_bytes = flags.memory_limit_mib << 20,
@@ -148,20 +158,23 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
 
   std::signal(SIGINT, [](int) {
     g_interrupted = 1;
-    std::signal(SIGINT, SIG_DFL);   // who asks twice does not want to wait for the frame
+    std::signal(SIGINT, SIG_DFL);  // who asks twice does not want to wait for the frame
   });
   GpuSession session(flags);
   Progress progress;
-  const Results results =
-      measure(session.device, session.pipelines, library, replays,
-              {.out = flags.out, .resume = flags.resume, .shard = flags.shard, .progress = std::ref(progress),
-               .interrupted = [] { return g_interrupted != 0; }});
+  const Results results = measure(session.device, session.pipelines, library, replays,
+                                  {.out = flags.out,
+                                   .resume = flags.resume,
+                                   .shard = flags.shard,
+                                   .progress = std::ref(progress),
+                                   .interrupted = [] { return g_interrupted != 0; }});
   write_report(std::filesystem::path(flags.out) / "report.html", results);
 
   if (flags.json)
     fmt::print("{}\n", to_json(results).dump(2));
   else
-    fmt::print("{}report: {}\n", to_table(results), (std::filesystem::path(flags.out) / "report.html").string());
+    fmt::print("{}report: {}\n", to_table(results),
+               (std::filesystem::path(flags.out) / "report.html").string());
   return report_validation(session.device);
 }
 

@@ -41,7 +41,8 @@ json list_effects(const PresetLibrary& library) {
       const SpawnSchedule schedule(emitter.spawn);
       capacity += schedule.capacity();
       last_tick = std::max<uint64_t>(last_tick, schedule.last_tick());
-      emitters.push_back({{"name", emitter.name}, {"births", schedule.births_total()}, {"capacity", schedule.capacity()}});
+      emitters.push_back(
+          {{"name", emitter.name}, {"births", schedule.births_total()}, {"capacity", schedule.capacity()}});
     }
     list.push_back({{"id", id},
                     {"title", effect.name},
@@ -59,7 +60,9 @@ json list_scenes(const PresetLibrary& library) {
     const Scene scene = library.scene(id);
     json instances = json::array();
     for (const Instance& i : scene.instances)
-      instances.push_back({{"name", i.name}, {"effect", i.effect}, {"call_tick", i.call_tick ? json(*i.call_tick) : json(nullptr)}});
+      instances.push_back({{"name", i.name},
+                           {"effect", i.effect},
+                           {"call_tick", i.call_tick ? json(*i.call_tick) : json(nullptr)}});
     list.push_back({{"id", id},
                     {"title", scene.name},
                     {"description", scene.description},
@@ -75,10 +78,12 @@ json list_replays(const PresetLibrary& library) {
   for (const std::string& id : library.ids(PresetKind::kReplay)) {
     const Replay replay = library.replay(id);
     json methods = json::array();
-    for (const MethodRun& run : replay.methods) methods.push_back({{"id", run.id}, {"settings", run.settings}});
+    for (const MethodRun& run : replay.methods)
+      methods.push_back({{"id", run.id}, {"settings", run.settings}});
     list.push_back({{"id", id},
                     {"title", replay.name},
-                    {"description", fmt::format("{} on {} ticks of {}", replay.methods.size(), replay.ticks.size(), replay.scene)},
+                    {"description", fmt::format("{} on {} ticks of {}", replay.methods.size(),
+                                                replay.ticks.size(), replay.scene)},
                     {"scene", replay.scene},
                     {"ticks", replay.ticks},
                     {"size", {replay.size.x, replay.size.y}},
@@ -92,11 +97,14 @@ json list_devices() {
   for (const gpu::DeviceInfo& d : gpu::list_devices())
     list.push_back({{"id", std::to_string(list.size())},
                     {"title", d.name},
-                    {"description", fmt::format("{}, Vulkan {}{}", d.driver, d.api, d.is_cpu ? ", runs on the CPU" : "")}});
+                    {"description",
+                     fmt::format("{}, Vulkan {}{}", d.driver, d.api, d.is_cpu ? ", runs on the CPU" : "")}});
   return list;
 }
 
-std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string text_of(const json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
 
 /// "0.001 .. 1000 1/m" or "eq7 | eq8".
 std::string range_of(const json& parameter) {
@@ -106,7 +114,8 @@ std::string range_of(const json& parameter) {
   }
   if (!parameter.contains("min")) return "true | false";
   const std::string unit = parameter.value("unit", "");
-  return fmt::format("{} .. {}{}{}", text_of(parameter["min"]), text_of(parameter["max"]), unit.empty() ? "" : " ", unit);
+  return fmt::format("{} .. {}{}{}", text_of(parameter["min"]), text_of(parameter["max"]),
+                     unit.empty() ? "" : " ", unit);
 }
 
 void print_for_people(const json& list) {
@@ -115,8 +124,8 @@ void print_for_people(const json& list) {
     for (const char* key : {"description", "source", "transmission", "emission", "limits"})
       if (entry.contains(key)) fmt::print("    {}: {}\n", key, text_of(entry[key]));
     for (const json& p : entry.value("parameters", json::array()))
-      fmt::print("    --set {}.{}={}   [{}]  {}\n", text_of(entry["id"]), text_of(p["name"]), text_of(p["value"]),
-                 range_of(p), text_of(p["help"]));
+      fmt::print("    --set {}.{}={}   [{}]  {}\n", text_of(entry["id"]), text_of(p["name"]),
+                 text_of(p["value"]), range_of(p), text_of(p["help"]));
   }
 }
 
@@ -130,8 +139,10 @@ int run_list(const ListFlags& flags) {
            : flags.what == "scenes" ? list_scenes(library)
                                     : list_replays(library);
   }
-  if (flags.json) fmt::print("{}\n", list.dump(2));
-  else print_for_people(list);
+  if (flags.json)
+    fmt::print("{}\n", list.dump(2));
+  else
+    print_for_people(list);
   return kDone;
 }
 
@@ -139,7 +150,8 @@ int run_list(const ListFlags& flags) {
 
 void add_list(CLI::App& program, Run& run) {
   auto flags = std::make_shared<ListFlags>();
-  CLI::App* command = program.add_subcommand("list", "what methods, effects, scenes, replays and devices there are");
+  CLI::App* command =
+      program.add_subcommand("list", "what methods, effects, scenes, replays and devices there are");
   command->add_option("WHAT", flags->what, "methods, effects, scenes, replays or devices")
       ->required()
       ->check([](const std::string& what) {

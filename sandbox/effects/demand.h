@@ -1,4 +1,5 @@
-// What a scene's effects cost at a tick, and why: awake ones are simulated, the others are a small record on the CPU.
+// What a scene's effects cost at a tick, and why: awake ones are simulated, the others are a small record on
+// the CPU.
 #ifndef PLUME_EFFECTS_DEMAND_H
 #define PLUME_EFFECTS_DEMAND_H
 
@@ -12,10 +13,12 @@ struct InstanceDemand {
   std::string name;
   bool called = false;
   bool awake = false;
-  std::string why;                ///< one phrase: "has 512 particles", "not called", "starts at tick 120", "finished at tick 900"
-  uint64_t ticks_simulated = 0;   ///< by stepping or by a seek, summed over the emitters' longest-lived particle
-  uint64_t dispatches = 0;        ///< simulation dispatches it took part in
-  uint64_t bytes = 0;             ///< of particle state now
+  std::string
+      why;  ///< one phrase: "has 512 particles", "not called", "starts at tick 120", "finished at tick 900"
+  uint64_t ticks_simulated =
+      0;                    ///< by stepping or by a seek, summed over the emitters' longest-lived particle
+  uint64_t dispatches = 0;  ///< simulation dispatches it took part in
+  uint64_t bytes = 0;       ///< of particle state now
 };
 
 }  // namespace plume

@@ -31,8 +31,9 @@ struct Spawn {
     uint32_t tick;
     uint32_t count;
   };
-  std::vector<RateKey> rate;   ///< linear between keys; 0 before the first and after the last; ticks ascend strictly
-  std::vector<Burst> bursts;   ///< ticks ascend strictly
+  std::vector<RateKey>
+      rate;  ///< linear between keys; 0 before the first and after the last; ticks ascend strictly
+  std::vector<Burst> bursts;  ///< ticks ascend strictly
   Range<uint32_t> life_ticks{60, 60};
 };
 
@@ -41,59 +42,59 @@ enum class ShapeKind : uint32_t { kPoint, kSphere, kHemisphere, kBox, kCone, kRi
 /// Where particles are born and which way is outwards, in the instance's frame (y up).
 struct Shape {
   ShapeKind kind = ShapeKind::kPoint;
-  float radius_m = 0.0f;            ///< sphere, hemisphere, cone base, ring
-  float thickness = 1.0f;           ///< 0 = surface only .. 1 = whole volume (sphere, hemisphere, cone, ring)
-  glm::vec3 size_m{0.0f};           ///< box, full extents
-  float angle_deg = 0.0f;           ///< cone half angle around +y
+  float radius_m = 0.0f;   ///< sphere, hemisphere, cone base, ring
+  float thickness = 1.0f;  ///< 0 = surface only .. 1 = whole volume (sphere, hemisphere, cone, ring)
+  glm::vec3 size_m{0.0f};  ///< box, full extents
+  float angle_deg = 0.0f;  ///< cone half angle around +y
   glm::vec3 offset_m{0.0f};
 };
 
 struct Curl {
-  float strength = 0.0f;   ///< m/s^2, acceleration at full noise amplitude
-  float scale_m = 1.0f;    ///< wavelength
-  float speed = 0.0f;      ///< wavelengths per second the field drifts upwards
-  uint32_t octaves = 1;    ///< 1..3
+  float strength = 0.0f;  ///< m/s^2, acceleration at full noise amplitude
+  float scale_m = 1.0f;   ///< wavelength
+  float speed = 0.0f;     ///< wavelengths per second the field drifts upwards
+  uint32_t octaves = 1;   ///< 1..3
 };
 
 /// A line vortex through the emitter's origin along +y.
 struct Vortex {
-  float strength = 0.0f;   ///< m/s^2 tangential at the core radius
+  float strength = 0.0f;  ///< m/s^2 tangential at the core radius
   float radius_m = 1.0f;
-  float pull = 0.0f;       ///< m/s^2 towards the axis
+  float pull = 0.0f;  ///< m/s^2 towards the axis
 };
 
 struct Motion {
-  Range<float> speed{0.0f, 0.0f};   ///< m/s along the shape's outward direction
-  glm::vec3 velocity{0.0f};         ///< m/s added at birth
-  float gravity = 0.0f;             ///< multiples of 9.81 m/s^2
-  float drag = 0.0f;                ///< 1/s, pulls the velocity to the wind's
-  float wind = 1.0f;                ///< share of the scene's wind this emitter feels
-  float buoyancy = 0.0f;            ///< m/s^2 upwards at birth
-  float cooling_s = 1.0f;           ///< time in which buoyancy falls to 1/e
-  float floor_y = -1e30f;           ///< metres in world space: particles stop falling there (ground plane)
+  Range<float> speed{0.0f, 0.0f};  ///< m/s along the shape's outward direction
+  glm::vec3 velocity{0.0f};        ///< m/s added at birth
+  float gravity = 0.0f;            ///< multiples of 9.81 m/s^2
+  float drag = 0.0f;               ///< 1/s, pulls the velocity to the wind's
+  float wind = 1.0f;               ///< share of the scene's wind this emitter feels
+  float buoyancy = 0.0f;           ///< m/s^2 upwards at birth
+  float cooling_s = 1.0f;          ///< time in which buoyancy falls to 1/e
+  float floor_y = -1e30f;          ///< metres in world space: particles stop falling there (ground plane)
   Curl curl;
   Vortex vortex;
 };
 
 enum class TextureKind : uint32_t { kPuff, kDisc, kSoft };
 
-/// How a particle looks. Optical depth at the centre of a card comes either from a cross-section (physical: growth thins)
-/// or from the artist's opacity curve; exactly one of them is given.
+/// How a particle looks. Optical depth at the centre of a card comes either from a cross-section (physical:
+/// growth thins) or from the artist's opacity curve; exactly one of them is given.
 struct Look {
   TextureKind texture = TextureKind::kPuff;
   Curve radius_m{0.5f};
-  Range<float> radius_scale{1.0f, 1.0f};      ///< drawn once per particle
-  std::optional<float> cross_section_m2;      ///< C: alpha = 1 - exp(-C / (pi r^2)) for the mean of the puff
-  std::optional<Curve> opacity;               ///< alpha over life, instead of a cross-section
-  Curve fade{1.0f};                           ///< multiplies the optical depth over life
-  Gradient color{glm::vec3(0.7f)};            ///< linear albedo
-  Gradient emission{glm::vec3(0.0f)};         ///< linear radiance of a fully dense texel
-  bool lit = true;                            ///< albedo is lit by sun and sky; otherwise it is radiance itself
-  float feather_m = 0.0f;                     ///< z-feather: fades over this distance in front of opaque surfaces
-  float camera_offset_m = 0.0f;               ///< moves depth along the camera ray, positive towards the camera
+  Range<float> radius_scale{1.0f, 1.0f};  ///< drawn once per particle
+  std::optional<float> cross_section_m2;  ///< C: alpha = 1 - exp(-C / (pi r^2)) for the mean of the puff
+  std::optional<Curve> opacity;           ///< alpha over life, instead of a cross-section
+  Curve fade{1.0f};                       ///< multiplies the optical depth over life
+  Gradient color{glm::vec3(0.7f)};        ///< linear albedo
+  Gradient emission{glm::vec3(0.0f)};     ///< linear radiance of a fully dense texel
+  bool lit = true;                        ///< albedo is lit by sun and sky; otherwise it is radiance itself
+  float feather_m = 0.0f;                 ///< z-feather: fades over this distance in front of opaque surfaces
+  float camera_offset_m = 0.0f;           ///< moves depth along the camera ray, positive towards the camera
   float flipbook_fps = 8.0f;
   Range<float> spin_deg_s{0.0f, 0.0f};
-  float stretch_s = 0.0f;                     ///< card grows along its velocity by speed * this
+  float stretch_s = 0.0f;  ///< card grows along its velocity by speed * this
 };
 
 struct Emitter {
@@ -105,7 +106,7 @@ struct Emitter {
 };
 
 struct Effect {
-  std::string id;            ///< file name without extension
+  std::string id;  ///< file name without extension
   std::string name;
   std::string description;
   std::vector<Emitter> emitters;

@@ -7,7 +7,7 @@
 namespace plume {
 namespace {
 
-constexpr float kStandardGravity = 9.81f;   // m/s^2
+constexpr float kStandardGravity = 9.81f;  // m/s^2
 
 uint32_t hash_text(const std::string& text) {
   uint32_t h = 0;
@@ -15,7 +15,9 @@ uint32_t hash_text(const std::string& text) {
   return h;
 }
 
-float inverse_or_zero(float value) { return value > 0.0f ? 1.0f / value : 0.0f; }
+float inverse_or_zero(float value) {
+  return value > 0.0f ? 1.0f / value : 0.0f;
+}
 
 }  // namespace
 

@@ -11,9 +11,9 @@ namespace plume {
 
 /// An effect called in a scene.
 struct Call {
-  std::string name;        ///< of the instance
+  std::string name;  ///< of the instance
   const Effect* effect;
-  uint32_t tick;           ///< of the scene
+  uint32_t tick;  ///< of the scene
   glm::vec3 position;
   float yaw_deg;
   uint32_t seed;

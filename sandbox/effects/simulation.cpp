@@ -25,14 +25,15 @@ template <class T>
 void upload(gpu::Device& device, gpu::Buffer& buffer, const char* label, const std::vector<T>& data) {
   const uint64_t bytes = std::max<uint64_t>(data.size() * sizeof(T), 16);
   if (buffer.bytes() < bytes)
-    buffer = gpu::Buffer(device, {.owner = "simulation", .label = label, .bytes = bytes + bytes / 2, .host_visible = true});
+    buffer = gpu::Buffer(
+        device, {.owner = "simulation", .label = label, .bytes = bytes + bytes / 2, .host_visible = true});
   std::copy(data.begin(), data.end(), buffer.mapped<T>().begin());
 }
 
 }  // namespace
 
-Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls, uint32_t scene_seed,
-                       glm::vec3 wind)
+Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls,
+                       uint32_t scene_seed, glm::vec3 wind)
     : device_(device), pipelines_(pipelines) {
   std::vector<shared::EmitterData> data;
   std::vector<glm::vec4> curves;
@@ -73,9 +74,10 @@ bool Simulation::wake_and_sleep(uint32_t tick) {
     if (awake) slots += emitter.schedule.capacity();
   }
   if (!changed) return false;
-  particles_ = gpu::Buffer();   // the old pool goes before the new one comes
+  particles_ = gpu::Buffer();  // the old pool goes before the new one comes
   if (slots > 0)
-    particles_ = gpu::Buffer(device_, {.owner = "simulation", .label = "particles", .bytes = slots * sizeof(Particle)});
+    particles_ = gpu::Buffer(
+        device_, {.owner = "simulation", .label = "particles", .bytes = slots * sizeof(Particle)});
   return true;
 }
 
@@ -110,7 +112,8 @@ void Simulation::make_birth_table(SpanList& list, uint32_t tick) {
     const uint32_t local = local_tick(emitter, tick);
     span.births_base = uint32_t(births.size());
     span.births_tick = emitter.schedule.birth_tick(span.first);
-    for (uint32_t t = span.births_tick; t <= local; ++t) births.push_back(uint32_t(emitter.schedule.births(t)));
+    for (uint32_t t = span.births_tick; t <= local; ++t)
+      births.push_back(uint32_t(emitter.schedule.births(t)));
     span.births_count = uint32_t(births.size()) - span.births_base;
   }
   upload(device_, births_, "births", births);
@@ -118,10 +121,14 @@ void Simulation::make_birth_table(SpanList& list, uint32_t tick) {
 
 void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list, uint32_t tick) const {
   if (list.threads == 0) return;
-  pass.dispatch(pipelines_.compute(shader),
-                {{"Particles", &particles_}, {"Spans", &list.buffer}, {"Emitters", &emitter_data_}, {"Births", &births_}},
-                SimulationPush{.threads = list.threads, .span_count = uint32_t(list.spans.size()), .tick = tick},
-                {gpu::groups(list.threads, kGroupSize), 1, 1});
+  pass.dispatch(
+      pipelines_.compute(shader),
+      {{"Particles", &particles_},
+       {"Spans", &list.buffer},
+       {"Emitters", &emitter_data_},
+       {"Births", &births_}},
+      SimulationPush{.threads = list.threads, .span_count = uint32_t(list.spans.size()), .tick = tick},
+      {gpu::groups(list.threads, kGroupSize), 1, 1});
 }
 
 std::vector<gpu::PassTime> Simulation::seek(uint32_t tick) {
@@ -148,8 +155,12 @@ std::vector<gpu::PassTime> Simulation::step() {
     const uint32_t local = local_tick(emitter, tick);
     return local > 0 ? emitter.schedule.births(local - 1) : 0;
   };
-  const auto alive_from = [&](const EmitterState& emitter) { return emitter.schedule.first_alive(local_tick(emitter, tick)); };
-  const auto born_until = [&](const EmitterState& emitter) { return emitter.schedule.births(local_tick(emitter, tick)); };
+  const auto alive_from = [&](const EmitterState& emitter) {
+    return emitter.schedule.first_alive(local_tick(emitter, tick));
+  };
+  const auto born_until = [&](const EmitterState& emitter) {
+    return emitter.schedule.births(local_tick(emitter, tick));
+  };
   make_spans(living_, [&](const EmitterState& e) { return std::pair(alive_from(e), born_until(e)); });
   make_spans(moving_, [&](const EmitterState& e) { return std::pair(alive_from(e), born_before(e)); });
   make_spans(fresh_, [&](const EmitterState& e) { return std::pair(born_before(e), born_until(e)); });
@@ -161,7 +172,7 @@ std::vector<gpu::PassTime> Simulation::step() {
   count_demand(tick, false);
   if (living_.threads == 0) return {};
   gpu::Frame frame(device_, pipelines_);
-  frame.pass("step", [&](gpu::Pass& pass) {   // both at once: they touch different slots
+  frame.pass("step", [&](gpu::Pass& pass) {  // both at once: they touch different slots
     record(pass, "effects/tick.comp", moving_, tick);
     record(pass, "effects/seek.comp", fresh_, tick);
   });
@@ -177,15 +188,17 @@ std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                               uint32_t first_card) const {
   if (living_.threads == 0) return;
-  pass.dispatch(pipelines_.compute("effects/cards.comp"),
-                {{"Particles", &particles_},
-                 {"Spans", &living_.buffer},
-                 {"Emitters", &emitter_data_},
-                 {"View", &view},
-                 {"Curves", &curves_},
-                 {"Cards", &cards}},
-                CardsPush{.threads = living_.threads, .span_count = uint32_t(living_.spans.size()), .first_card = first_card},
-                {gpu::groups(living_.threads, kGroupSize), 1, 1});
+  pass.dispatch(
+      pipelines_.compute("effects/cards.comp"),
+      {{"Particles", &particles_},
+       {"Spans", &living_.buffer},
+       {"Emitters", &emitter_data_},
+       {"View", &view},
+       {"Curves", &curves_},
+       {"Cards", &cards}},
+      CardsPush{
+          .threads = living_.threads, .span_count = uint32_t(living_.spans.size()), .first_card = first_card},
+      {gpu::groups(living_.threads, kGroupSize), 1, 1});
 }
 
 std::vector<Particle> Simulation::particles() const {
@@ -193,14 +206,16 @@ std::vector<Particle> Simulation::particles() const {
   if (living_.threads == 0) return result;
   const auto pool = gpu::read<Particle>(device_, particles_);
   for (const Span& span : living_.spans)
-    for (uint32_t i = 0; i < span.count; ++i) result.push_back(pool[span.base + (span.first + i) % span.capacity]);
+    for (uint32_t i = 0; i < span.count; ++i)
+      result.push_back(pool[span.base + (span.first + i) % span.capacity]);
   return result;
 }
 
 uint64_t Simulation::state_hash() const {
   uint64_t hash = 0xcbf29ce484222325;
   const auto states = particles();
-  for (const std::byte byte : std::as_bytes(std::span(states))) hash = (hash ^ uint64_t(byte)) * 0x100000001b3;
+  for (const std::byte byte : std::as_bytes(std::span(states)))
+    hash = (hash ^ uint64_t(byte)) * 0x100000001b3;
   return hash;
 }
 
@@ -224,7 +239,7 @@ void Simulation::count_demand(uint32_t tick, bool seeking) {
       call.demand.ticks_simulated += longest[i];
       call.demand.why = fmt::format("has {} particles", living[i]);
     } else {
-      call.demand.why = tick < call.call.tick    ? fmt::format("starts at tick {}", call.call.tick)
+      call.demand.why = tick < call.call.tick   ? fmt::format("starts at tick {}", call.call.tick)
                         : tick > call.last_tick ? fmt::format("finished at tick {}", call.last_tick)
                                                 : "between births";
     }

@@ -1,6 +1,6 @@
 #include "sandbox/measure/build_info.h"
 
-#include "build_commit.h"   // written by the build, see cmake/build_commit.cmake
+#include "build_commit.h"  // written by the build, see cmake/build_commit.cmake
 
 namespace plume {
 
@@ -13,6 +13,8 @@ std::string build_name() {
   return PLUME_VERSION " " PLUME_BUILD_TYPE ", " + compiler;
 }
 
-std::string build_commit() { return PLUME_BUILD_COMMIT; }
+std::string build_commit() {
+  return PLUME_BUILD_COMMIT;
+}
 
 }  // namespace plume

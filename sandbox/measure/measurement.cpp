@@ -27,7 +27,7 @@ struct Contender {
   MethodInstance instance;
   json settings;
   std::string label;
-  std::vector<std::string> missing;   // of the device
+  std::vector<std::string> missing;  // of the device
   std::vector<std::vector<gpu::PassTime>> samples;
   std::optional<DrawnPicture> picture;
 };
@@ -35,19 +35,20 @@ struct Contender {
 /// A frame before it is measured: what is known of it, and which files it will leave.
 struct Job {
   FrameResult frame;
-  std::string hdr;   // "" = not asked for
+  std::string hdr;  // "" = not asked for
 };
 
 bool is_same(const FrameResult& a, const FrameResult& b) {
-  return a.scene == b.scene && a.tick == b.tick && a.width == b.width && a.height == b.height && a.method == b.method &&
-         a.settings == b.settings;
+  return a.scene == b.scene && a.tick == b.tick && a.width == b.width && a.height == b.height &&
+         a.method == b.method && a.settings == b.settings;
 }
 
 bool shares_file(const FrameResult& a, const FrameResult& b) {
   return (!a.image.empty() && a.image == b.image) || (!a.error_map.empty() && a.error_map == b.error_map);
 }
 
-/// The part of a file name that tells a replay's methods apart: the id, and the settings that the replay names.
+/// The part of a file name that tells a replay's methods apart: the id, and the settings that the replay
+/// names.
 std::string label_of(const MethodRun& run) {
   std::string label = run.id;
   for (const auto& [name, value] : run.settings) label += fmt::format("-{}-{}", name, value);
@@ -64,9 +65,10 @@ void refuse_shared_files(const std::vector<Replay>& replays, const std::vector<S
     for (const uint32_t tick : replays[i].ticks)
       for (const MethodRun& run : replays[i].methods)
         if (!stems.insert(stem_of(scenes[i].id, tick, label_of(run))).second)
-          throw std::runtime_error(fmt::format("{} at tick {} with {} is asked for twice, and the second would overwrite the "
-                                               "files of the first: run them with an --out each",
-                                               scenes[i].id, tick, label_of(run)));
+          throw std::runtime_error(
+              fmt::format("{} at tick {} with {} is asked for twice, and the second would overwrite the "
+                          "files of the first: run them with an --out each",
+                          scenes[i].id, tick, label_of(run)));
 }
 
 ErrorSummary compare(const DrawnPicture& reference, const DrawnPicture& test, Raster<float>& map) {
@@ -126,12 +128,13 @@ class Measurement {
   }
 
   Results run(const std::vector<Replay>& replays) {
-    std::vector<Scene> scenes;   // all before any is drawn: a mistake in the last must not cost the work on the first
+    std::vector<Scene>
+        scenes;  // all before any is drawn: a mistake in the last must not cost the work on the first
     for (const Replay& replay : replays) scenes.push_back(scene_of(replay));
     refuse_shared_files(replays, scenes);
     for (const Replay& replay : replays) total_ += replay.ticks.size();
     total_ = (total_ + options_.shard.count - 1 - options_.shard.index) / options_.shard.count;
-    write_manifest();   // what an earlier run left here is over from now on
+    write_manifest();  // what an earlier run left here is over from now on
     size_t ticks = 0;
     for (size_t i = 0; i < replays.size(); ++i) run_replay(replays[i], std::move(scenes[i]), ticks);
     write_manifest();
@@ -140,23 +143,27 @@ class Measurement {
 
  private:
   static json environment(const gpu::Device& device) {
-    return {{"device", device.info().name}, {"driver", device.info().driver}, {"api", device.info().api},
-            {"build", build_name()},        {"commit", build_commit()},       {"threads", std::thread::hardware_concurrency()}};
+    return {{"device", device.info().name}, {"driver", device.info().driver},
+            {"api", device.info().api},     {"build", build_name()},
+            {"commit", build_commit()},     {"threads", std::thread::hardware_concurrency()}};
   }
 
-  /// Takes over what an earlier run measured, unless its numbers would be passed off as another device's or build's.
+  /// Takes over what an earlier run measured, unless its numbers would be passed off as another device's or
+  /// build's.
   void go_on_from(const std::filesystem::path& manifest) {
     Results before = read_results(manifest);
     for (const auto& [name, value] : results_.environment.items())
       if (const json other = before.environment.value(name, json()); other != value)
-        throw std::runtime_error(fmt::format("{} was measured with {} {}, this is {}: leave out --resume or choose another --out",
-                                             manifest.string(), name, other.dump(), value.dump()));
+        throw std::runtime_error(
+            fmt::format("{} was measured with {} {}, this is {}: leave out --resume or choose another --out",
+                        manifest.string(), name, other.dump(), value.dump()));
     results_ = std::move(before);
   }
 
   Scene scene_of(const Replay& replay) const {
     Scene scene = library_.scene(replay.scene);
-    if (auto unknown = check_references(scene, library_); !unknown.empty()) throw FileErrors(std::move(unknown));
+    if (auto unknown = check_references(scene, library_); !unknown.empty())
+      throw FileErrors(std::move(unknown));
     if (replay.seed) scene.seed = *replay.seed;
     if (!replay.camera.empty()) scene.camera = replay.camera;
     return scene;
@@ -211,7 +218,9 @@ class Measurement {
     return job;
   }
 
-  std::vector<FrameResult>::iterator first_unplaced() { return results_.frames.begin() + std::ptrdiff_t(placed_); }
+  std::vector<FrameResult>::iterator first_unplaced() {
+    return results_.frames.begin() + std::ptrdiff_t(placed_);
+  }
 
   /// What an earlier run left of the job; the end when not all of it is there.
   std::vector<FrameResult>::iterator finished(const Job& job) {
@@ -222,8 +231,8 @@ class Measurement {
     });
   }
 
-  void run_tick(const Replay& replay, Stage& stage, const Targets& targets, std::vector<Contender>& contenders,
-                uint32_t tick) {
+  void run_tick(const Replay& replay, Stage& stage, const Targets& targets,
+                std::vector<Contender>& contenders, uint32_t tick) {
     std::vector<Job> jobs;
     for (const Contender& c : contenders) jobs.push_back(job_of(replay, stage, c, tick));
     const bool all_done =
@@ -245,11 +254,13 @@ class Measurement {
       write_manifest();
     }
     ++done_;
-    if (options_.progress) options_.progress(done_, total_, fmt::format("{} tick {}", stage.scene().id, tick));
+    if (options_.progress)
+      options_.progress(done_, total_, fmt::format("{} tick {}", stage.scene().id, tick));
   }
 
   DrawnPicture draw_reference(const Stage& stage, const Targets& targets) {
-    if (!reference_.method) reference_ = {.method = make_method("reference"), .owner = "ground truth", .resources = {}};
+    if (!reference_.method)
+      reference_ = {.method = make_method("reference"), .owner = "ground truth", .resources = {}};
     render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), reference_);
     return read_picture(device_, targets);
   }
@@ -261,7 +272,8 @@ class Measurement {
       for (Contender& c : contenders) {
         if (!c.missing.empty()) continue;
         stop_if_interrupted();
-        auto report = render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
+        auto report =
+            render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
         if (repetition >= replay.warmup) c.samples.push_back(std::move(report.passes));
         if (!c.picture) c.picture = read_picture(device_, targets);
       }
@@ -291,7 +303,8 @@ class Measurement {
     place(results_.frames.end() - 1);
   }
 
-  /// Frames stand in the order of the jobs, and after them what earlier runs left of jobs that are still to come.
+  /// Frames stand in the order of the jobs, and after them what earlier runs left of jobs that are still to
+  /// come.
   void place(std::vector<FrameResult>::iterator frame) {
     std::rotate(first_unplaced(), frame, frame + 1);
     ++placed_;
@@ -311,8 +324,8 @@ class Measurement {
   const MeasurementOptions& options_;
   Results results_;
   MethodInstance reference_;
-  size_t total_ = 0, done_ = 0;   // ticks
-  size_t placed_ = 0;             // frames
+  size_t total_ = 0, done_ = 0;  // ticks
+  size_t placed_ = 0;            // frames
 };
 
 }  // namespace

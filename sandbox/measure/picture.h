@@ -8,8 +8,8 @@
 namespace plume {
 
 struct DrawnPicture {
-  Image linear;           ///< HDR, from the final 16-bit image
-  DisplayImage display;   ///< tone-mapped, sRGB
+  Image linear;          ///< HDR, from the final 16-bit image
+  DisplayImage display;  ///< tone-mapped, sRGB
 };
 
 /// Copies the current result and display image; waits for the device.

@@ -23,11 +23,20 @@ figcaption{padding:.3rem 0;color:#444}.note{color:#666}code{background:#eee;padd
 std::string escape(std::string_view text) {
   std::string out;
   for (const char c : text) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   return out;
 }
@@ -47,7 +56,8 @@ std::string base64(const std::vector<uint8_t>& bytes) {
 std::string settings_text(const nlohmann::json& settings) {
   std::string text;
   for (const auto& [name, value] : settings.items())
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value.is_string() ? value.get<std::string>() : value.dump());
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name,
+                        value.is_string() ? value.get<std::string>() : value.dump());
   return text;
 }
 
@@ -58,15 +68,20 @@ std::string row(const FrameResult& frame) {
     return cells + fmt::format("<td colspan=6>{}</td><td>{}</td></tr>\n", escape(frame.status),
                                escape(settings_text(frame.settings)));
   const ErrorSummary& e = *frame.error;
-  return cells + fmt::format("<td>{:.5f}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-                             e.rmse, std::isfinite(e.psnr_db) ? fmt::format("{:.2f}", e.psnr_db) : "∞", e.ssim, e.flip,
-                             frame.gpu_ms, double(frame.memory_bytes) / 1048576.0, escape(settings_text(frame.settings)));
+  return cells + fmt::format(
+                     "<td>{:.5f}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.2f}</td><td>{:.2f}</"
+                     "td><td>{}</td></tr>\n",
+                     e.rmse, std::isfinite(e.psnr_db) ? fmt::format("{:.2f}", e.psnr_db) : "∞", e.ssim,
+                     e.flip, frame.gpu_ms, double(frame.memory_bytes) / 1048576.0,
+                     escape(settings_text(frame.settings)));
 }
 
-std::string picture(const std::filesystem::path& folder, const std::string& file, const std::string& caption) {
+std::string picture(const std::filesystem::path& folder, const std::string& file,
+                    const std::string& caption) {
   if (file.empty()) return "";
-  return fmt::format("<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-                     escape(caption), base64(read_file(folder / file)), escape(caption));
+  return fmt::format(
+      "<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
+      escape(caption), base64(read_file(folder / file)), escape(caption));
 }
 
 std::string passes_text(const FrameResult& frame) {
@@ -79,7 +94,8 @@ std::string passes_text(const FrameResult& frame) {
 std::string environment_text(const nlohmann::json& environment) {
   std::string text;
   for (const auto& [name, value] : environment.items())
-    text += fmt::format("{}{}: {}", text.empty() ? "" : " · ", name, value.is_string() ? value.get<std::string>() : value.dump());
+    text += fmt::format("{}{}: {}", text.empty() ? "" : " · ", name,
+                        value.is_string() ? value.get<std::string>() : value.dump());
   return text;
 }
 
@@ -87,24 +103,32 @@ std::string environment_text(const nlohmann::json& environment) {
 
 void write_report(const std::filesystem::path& path, const Results& results) {
   std::string page = fmt::format(
-      "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Plume comparison</title><style>{}</style>\n"
+      "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Plume "
+      "comparison</title><style>{}</style>\n"
       "<h1>What accuracy costs in time</h1>\n<p class=\"note\">{}</p>\n"
-      "<p>Every method drew the same particles on the same frame. RMSE is over linear light against the exact reference; "
-      "PSNR, SSIM and FLIP (67 pixels per degree) are over the displayed image. Lower RMSE and FLIP are better. GPU time is the "
+      "<p>Every method drew the same particles on the same frame. RMSE is over linear light against the "
+      "exact reference; "
+      "PSNR, SSIM and FLIP (67 pixels per degree) are over the displayed image. Lower RMSE and FLIP are "
+      "better. GPU time is the "
       "median of the sum of all passes.</p>\n"
-      "<table><tr><th>scene</th><th>tick</th><th>method</th><th>RMSE</th><th>PSNR dB</th><th>SSIM</th><th>FLIP</th>"
+      "<table><tr><th>scene</th><th>tick</th><th>method</th><th>RMSE</th><th>PSNR "
+      "dB</th><th>SSIM</th><th>FLIP</th>"
       "<th>GPU ms</th><th>MiB</th><th>settings</th></tr>\n",
       kStyle, escape(environment_text(results.environment)));
   for (const FrameResult& frame : results.frames) page += row(frame);
-  page += "</table>\n<p class=\"note\">Error maps show FLIP from 0 (black) to 1 (pale yellow), the same scale everywhere.</p>\n";
+  page +=
+      "</table>\n<p class=\"note\">Error maps show FLIP from 0 (black) to 1 (pale yellow), the same scale "
+      "everywhere.</p>\n";
 
   for (size_t i = 0; i < results.frames.size(); ++i) {
     const FrameResult& frame = results.frames[i];
-    const bool starts = i == 0 || results.frames[i - 1].scene != frame.scene || results.frames[i - 1].tick != frame.tick;
+    const bool starts =
+        i == 0 || results.frames[i - 1].scene != frame.scene || results.frames[i - 1].tick != frame.tick;
     if (starts)
       page += fmt::format("{}<h2>{}, tick {}</h2>\n<div class=\"pictures\">\n", i == 0 ? "" : "</div>\n",
                           escape(frame.scene), frame.tick);
-    const std::string name = frame.method + (frame.settings.empty() ? "" : " (" + settings_text(frame.settings) + ")");
+    const std::string name =
+        frame.method + (frame.settings.empty() ? "" : " (" + settings_text(frame.settings) + ")");
     page += picture(path.parent_path(), frame.image, name + " — ms: " + passes_text(frame));
     page += picture(path.parent_path(), frame.error_map, name + ", error");
   }

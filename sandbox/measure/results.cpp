@@ -13,15 +13,21 @@ namespace {
 
 using nlohmann::json;
 
-json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+json number_or_null(double value) {
+  return std::isfinite(value) ? json(value) : json(nullptr);
+}
 
 double number_or_infinity(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
 
-json text_or_null(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
+json text_or_null(const std::string& text) {
+  return text.empty() ? json(nullptr) : json(text);
+}
 
-std::string text_of(const json& value) { return value.is_null() ? "" : value.get<std::string>(); }
+std::string text_of(const json& value) {
+  return value.is_null() ? "" : value.get<std::string>();
+}
 
 /// A CSV field whatever is in it (RFC 4180).
 std::string csv_field(const std::string& text) {
@@ -45,7 +51,9 @@ FrameResult frame_from_json(const json& from) {
   frame.status = from.at("status");
   for (const json& pass : from.at("passes"))
     frame.passes.push_back({pass.at("name"),
-                            {.median = pass.at("median_ms"), .p95 = pass.at("p95_ms"), .min = pass.at("min_ms"),
+                            {.median = pass.at("median_ms"),
+                             .p95 = pass.at("p95_ms"),
+                             .min = pass.at("min_ms"),
                              .samples = pass.at("samples")}});
   frame.gpu_ms = from.at("gpu_ms");
   frame.memory_bytes = from.at("memory_bytes");
@@ -117,20 +125,22 @@ std::string to_csv(const Results& results) {
       if (std::find(pass_names.begin(), pass_names.end(), pass.name) == pass_names.end())
         pass_names.push_back(pass.name);
 
-  std::string csv = "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,rmse,psnr_db,ssim,flip,max";
+  std::string csv =
+      "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,rmse,psnr_db,ssim,flip,max";
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width, frame.height, frame.method,
-                       csv_field(frame.settings.dump()), csv_field(frame.status), frame.gpu_ms, frame.memory_bytes);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width,
+                       frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
+                       frame.gpu_ms, frame.memory_bytes);
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);
     else
       csv += ",,,,,";
     for (const std::string& name : pass_names) {
-      const auto pass =
-          std::find_if(frame.passes.begin(), frame.passes.end(), [&](const PassSummary& p) { return p.name == name; });
+      const auto pass = std::find_if(frame.passes.begin(), frame.passes.end(),
+                                     [&](const PassSummary& p) { return p.name == name; });
       csv += pass == frame.passes.end() ? std::string(",") : fmt::format(",{}", pass->ms.median);
     }
     csv += "\n";
@@ -139,8 +149,9 @@ std::string to_csv(const Results& results) {
 }
 
 std::string to_table(const Results& results) {
-  std::string table = fmt::format("{:<16} {:>5}  {:<10} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9}  {}\n", "scene", "tick",
-                                  "method", "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "MiB", "settings");
+  std::string table =
+      fmt::format("{:<16} {:>5}  {:<10} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9}  {}\n", "scene", "tick", "method",
+                  "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "MiB", "settings");
   for (const FrameResult& frame : results.frames) {
     table += fmt::format("{:<16} {:>5}  {:<10} ", frame.scene, frame.tick, frame.method);
     if (frame.status != "ok") {

@@ -1,5 +1,5 @@
-// What a comparison or a replay found: results.json and results.csv. Written after every frame, so that an interrupted run keeps
-// what it had and --resume goes on from there.
+// What a comparison or a replay found: results.json and results.csv. Written after every frame, so that an
+// interrupted run keeps what it had and --resume goes on from there.
 #ifndef PLUME_MEASURE_RESULTS_H
 #define PLUME_MEASURE_RESULTS_H
 
@@ -31,19 +31,19 @@ struct FrameResult {
   uint32_t tick = 0;
   uint32_t width = 0, height = 0;
   std::string method;
-  nlohmann::json settings = nlohmann::json::object();   ///< every parameter with its value
-  std::string status = "ok";                            ///< or "unavailable: needs X"
+  nlohmann::json settings = nlohmann::json::object();  ///< every parameter with its value
+  std::string status = "ok";                           ///< or "unavailable: needs X"
   std::vector<PassSummary> passes;
-  double gpu_ms = 0;                                    ///< median over the repetitions of the sum of passes
-  uint64_t memory_bytes = 0;                            ///< of the method's own images and buffers
-  std::optional<ErrorSummary> error;                    ///< against the exact reference
-  std::string image, error_map;                         ///< file names beside results.json; "" = not written
+  double gpu_ms = 0;                  ///< median over the repetitions of the sum of passes
+  uint64_t memory_bytes = 0;          ///< of the method's own images and buffers
+  std::optional<ErrorSummary> error;  ///< against the exact reference
+  std::string image, error_map;       ///< file names beside results.json; "" = not written
 };
 
 struct Results {
   nlohmann::json environment;
   std::vector<FrameResult> frames;
-  nlohmann::json demand;   ///< of the last tick measured
+  nlohmann::json demand;  ///< of the last tick measured
 };
 
 nlohmann::json to_json(const FrameResult& frame);

@@ -23,10 +23,11 @@ shared::SolidData solid_data(const Solid& solid) {
 
 }  // namespace
 
-OpaqueScene::OpaqueScene(gpu::Device& device, const std::vector<Solid>& solids) : count_(uint32_t(solids.size())) {
+OpaqueScene::OpaqueScene(gpu::Device& device, const std::vector<Solid>& solids)
+    : count_(uint32_t(solids.size())) {
   std::vector<shared::SolidData> data;
   for (const Solid& solid : solids) data.push_back(solid_data(solid));
-  if (data.empty()) data.push_back({});   // a descriptor needs something to point at
+  if (data.empty()) data.push_back({});  // a descriptor needs something to point at
   solids_ = gpu::make_buffer(device, "scene", "solids", data);
 }
 

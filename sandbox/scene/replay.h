@@ -1,4 +1,5 @@
-// What a replay script is: one scene, played at chosen ticks with chosen methods, measured and captured without a display.
+// What a replay script is: one scene, played at chosen ticks with chosen methods, measured and captured
+// without a display.
 #ifndef PLUME_SCENE_REPLAY_H
 #define PLUME_SCENE_REPLAY_H
 
@@ -14,29 +15,30 @@
 namespace plume {
 
 struct MethodRun {
-  std::string id;                                 ///< a method of renderer/methods/methods.cpp
-  std::map<std::string, std::string> settings;    ///< parameter -> value as text, checked against the method's list
+  std::string id;  ///< a method of renderer/methods/methods.cpp
+  std::map<std::string, std::string>
+      settings;  ///< parameter -> value as text, checked against the method's list
 };
 
 struct Capture {
-  std::vector<uint32_t> ticks;   ///< empty: every tick of the replay
-  bool images = true;            ///< PNG of the displayed image
+  std::vector<uint32_t> ticks;  ///< empty: every tick of the replay
+  bool images = true;           ///< PNG of the displayed image
   bool error_maps = true;
-  bool hdr = false;              ///< EXR of the linear image
+  bool hdr = false;  ///< EXR of the linear image
 };
 
 struct Replay {
   std::string id;
   std::string name;
-  std::string scene;                       ///< id of a scene
+  std::string scene;  ///< id of a scene
   FilePosition scene_at;
-  std::optional<uint32_t> seed;            ///< instead of the scene's
+  std::optional<uint32_t> seed;  ///< instead of the scene's
   glm::uvec2 size{640, 360};
-  std::vector<uint32_t> ticks;             ///< ascending strictly, at least one
-  uint32_t frames = 3;                     ///< timed repetitions of each tick and method
-  uint32_t warmup = 1;                     ///< repetitions before them that are dropped
-  std::vector<CameraKey> camera;           ///< empty: the scene's
-  std::vector<MethodRun> methods;          ///< at least one
+  std::vector<uint32_t> ticks;     ///< ascending strictly, at least one
+  uint32_t frames = 3;             ///< timed repetitions of each tick and method
+  uint32_t warmup = 1;             ///< repetitions before them that are dropped
+  std::vector<CameraKey> camera;   ///< empty: the scene's
+  std::vector<MethodRun> methods;  ///< at least one
   Capture capture;
 };
 

@@ -1,5 +1,6 @@
-// What a scene is: opaque solids, transparent panes, light, a camera on a timeline, and the effect instances it declares.
-// Plain data, read from presets/scenes/*.toml. Metres, y up, right-handed, linear colours, ticks of 1/60 s.
+// What a scene is: opaque solids, transparent panes, light, a camera on a timeline, and the effect instances
+// it declares. Plain data, read from presets/scenes/*.toml. Metres, y up, right-handed, linear colours, ticks
+// of 1/60 s.
 #ifndef PLUME_SCENE_SCENE_H
 #define PLUME_SCENE_SCENE_H
 
@@ -11,7 +12,14 @@
 
 namespace plume {
 
-enum class Material : uint32_t { kPlain, kAsphalt, kBrick, kWood, kConcrete, kUnlit };   // unlit: colour is radiance
+enum class Material : uint32_t {
+  kPlain,
+  kAsphalt,
+  kBrick,
+  kWood,
+  kConcrete,
+  kUnlit
+};  // unlit: colour is radiance
 enum class SolidKind : uint32_t { kPlane, kBox, kSphere, kCapsule };
 
 /// An analytic opaque body: drawn, casts shadows, and is what particles will collide with.
@@ -19,22 +27,22 @@ struct Solid {
   SolidKind kind = SolidKind::kBox;
   Material material = Material::kPlain;
   glm::vec3 color{0.5f};
-  glm::vec3 position{0.0f};   ///< plane: any point on it (normal is +y); box, sphere: centre; capsule: one end
-  glm::vec3 end{0.0f};        ///< capsule: other end
-  glm::vec3 size_m{1.0f};     ///< box: full extents; plane: extents in x and z
-  float radius_m = 0.5f;      ///< sphere, capsule
-  float yaw_deg = 0.0f;       ///< box, about +y
+  glm::vec3 position{0.0f};  ///< plane: any point on it (normal is +y); box, sphere: centre; capsule: one end
+  glm::vec3 end{0.0f};       ///< capsule: other end
+  glm::vec3 size_m{1.0f};    ///< box: full extents; plane: extents in x and z
+  float radius_m = 0.5f;     ///< sphere, capsule
+  float yaw_deg = 0.0f;      ///< box, about +y
 };
 
 /// A flat transparent rectangle (glass, card, painted quad).
 struct Pane {
-  glm::vec3 position{0.0f};          ///< centre
-  float yaw_deg = 0.0f;              ///< 0 faces +z
+  glm::vec3 position{0.0f};  ///< centre
+  float yaw_deg = 0.0f;      ///< 0 faces +z
   float pitch_deg = 0.0f;
   glm::vec2 size_m{1.0f};
-  glm::vec3 color{0.0f};             ///< reflected radiance where covered (not premultiplied)
-  float coverage = 1.0f;             ///< alpha, 0..1
-  glm::vec3 transmission{0.0f};      ///< share of light that passes where covered
+  glm::vec3 color{0.0f};         ///< reflected radiance where covered (not premultiplied)
+  float coverage = 1.0f;         ///< alpha, 0..1
+  glm::vec3 transmission{0.0f};  ///< share of light that passes where covered
   glm::vec3 emission{0.0f};
 };
 
@@ -48,7 +56,7 @@ struct CameraKey {
 enum class Tonemap : uint32_t { kNone, kAces };
 
 struct Light {
-  bool sky = true;                            ///< false: the background is `horizon` everywhere
+  bool sky = true;  ///< false: the background is `horizon` everywhere
   glm::vec3 zenith{0.25f, 0.45f, 0.85f};
   glm::vec3 horizon{0.75f, 0.8f, 0.85f};
   glm::vec3 sun_direction{0.4f, 0.7f, 0.5f};  ///< towards the sun; normalised by the reader
@@ -63,9 +71,9 @@ struct FilePosition {
 
 struct Instance {
   std::string name;
-  std::string effect;                  ///< id of an effect
+  std::string effect;  ///< id of an effect
   FilePosition effect_at;
-  std::optional<uint32_t> call_tick;   ///< nothing: declared but not called; costs nothing
+  std::optional<uint32_t> call_tick;  ///< nothing: declared but not called; costs nothing
   glm::vec3 position{0.0f};
   float yaw_deg = 0.0f;
   uint32_t seed = 0;
@@ -77,14 +85,14 @@ struct Scene {
   std::string description;
   uint32_t seed = 1;
   uint32_t duration_ticks = 600;
-  uint32_t default_tick = 0;            ///< the tick `compare` shows when none is asked for
+  uint32_t default_tick = 0;  ///< the tick `compare` shows when none is asked for
   float near_m = 0.1f;
   float far_m = 500.0f;
   float exposure = 1.0f;
   Tonemap tonemap = Tonemap::kAces;
-  glm::vec3 wind{0.0f};                 ///< m/s
+  glm::vec3 wind{0.0f};  ///< m/s
   Light light;
-  std::vector<CameraKey> camera;        ///< at least one; ticks ascend strictly; linear between keys
+  std::vector<CameraKey> camera;  ///< at least one; ticks ascend strictly; linear between keys
   std::vector<Solid> solids;
   std::vector<Pane> panes;
   std::vector<Instance> instances;

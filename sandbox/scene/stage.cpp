@@ -9,7 +9,8 @@
 namespace plume {
 namespace {
 
-constexpr uint32_t kTextureSeed = 1;   // one set of puffs for all scenes: the look of an effect does not depend on where it is
+constexpr uint32_t kTextureSeed =
+    1;  // one set of puffs for all scenes: the look of an effect does not depend on where it is
 
 }  // namespace
 
@@ -18,7 +19,8 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
       scene_(std::move(scene)),
       puffs_(make_puff_textures(device, pipelines, kTextureSeed)),
       opaque_(device, scene_.solids),
-      view_(device, {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}) {
+      view_(device,
+            {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}) {
   std::vector<Call> calls;
   for (const Instance& instance : scene_.instances) {
     if (!instance.call_tick) continue;
@@ -38,7 +40,8 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
 void Stage::fit_cards(uint32_t count) {
   if (!cards_ || count > capacity_) {
     capacity_ = std::max(count + count / 4, 64u);
-    cards_ = gpu::Buffer(device_, {.owner = "scene", .label = "cards", .bytes = uint64_t(capacity_) * sizeof(shared::Card)});
+    cards_ = gpu::Buffer(
+        device_, {.owner = "scene", .label = "cards", .bytes = uint64_t(capacity_) * sizeof(shared::Card)});
     order_ = gpu::Buffer();
   }
   transparents_ = {.cards = &cards_, .order = &order_, .puffs = &puffs_, .view = &view_, .count = count};

@@ -14,7 +14,7 @@ class Stage {
  public:
   /// Reads the effects the scene calls. Throws what the library throws, and DeviceFailure.
   Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene);
-  Stage(const Stage&) = delete;   // transparents() points into it
+  Stage(const Stage&) = delete;  // transparents() points into it
 
   /// Simulates to `tick` and looks from `camera` (nothing: the scene's own).
   std::vector<gpu::PassTime> go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera = {});

@@ -12,7 +12,8 @@ shared::ViewData make_view(const Scene& scene, const CameraKey& camera, glm::uve
   const float tan_y = std::tan(glm::radians(camera.vertical_fov_deg) * 0.5f);
   const float tan_x = tan_y * float(size.x) / float(size.y);
 
-  // Rows of clip = M * (world, 1): x and y over the view frustum (Vulkan's y points down), z = near, w = view depth.
+  // Rows of clip = M * (world, 1): x and y over the view frustum (Vulkan's y points down), z = near, w = view
+  // depth.
   const auto row = [&](glm::vec3 axis) { return glm::vec4(axis, -glm::dot(axis, camera.position)); };
   const glm::vec4 rows[4] = {row(right) / tan_x, row(up) / -tan_y, {0, 0, 0, scene.near_m}, row(forward)};
   glm::mat4 view_projection;

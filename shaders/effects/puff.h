@@ -1,4 +1,5 @@
-// The array of card textures: puffs in variants and flipbook frames, then a disc, a soft dot and a solid square.
+// The array of card textures: puffs in variants and flipbook frames, then a disc, a soft dot and a solid
+// square.
 #ifndef PLUME_EFFECTS_PUFF_H
 #define PLUME_EFFECTS_PUFF_H
 
@@ -6,18 +7,18 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kPuffSize = 96u;       // texels, each way
+const uint kPuffSize = 96u;  // texels, each way
 const uint kPuffVariants = 3u;
-const uint kPuffFrames = 12u;     // a loop
+const uint kPuffFrames = 12u;  // a loop
 const uint kDiscLayer = kPuffVariants * kPuffFrames;
 const uint kSoftLayer = kDiscLayer + 1u;
 const uint kSolidLayer = kDiscLayer + 2u;
 const uint kPuffLayers = kDiscLayer + 3u;
 
-const uint kTexturePuff = 0u;     // TextureKind
+const uint kTexturePuff = 0u;  // TextureKind
 const uint kTextureDisc = 1u;
 const uint kTextureSoft = 2u;
-const float kOpaqueDepth = 64.0f; // optical depth that stands for alpha = 1: e^-64 is 0 beside 1 in 32 bits
+const float kOpaqueDepth = 64.0f;  // optical depth that stands for alpha = 1: e^-64 is 0 beside 1 in 32 bits
 
 PLUME_SHARED_END
 #endif

@@ -9,17 +9,17 @@ PLUME_SHARED_BEGIN
 const uint kListEnd = 0xffffffffu;
 
 struct FragmentNode {
-  vec3 light;           // premultiplied colour + emission
-  float depth;          // view depth, m
-  vec3 transmittance;   // of what lies behind
-  uint id;              // card index
-  uint next;            // node index, or kListEnd
+  vec3 light;          // premultiplied colour + emission
+  float depth;         // view depth, m
+  vec3 transmittance;  // of what lies behind
+  uint id;             // card index
+  uint next;           // node index, or kListEnd
 };
 
 struct FragmentPool {
-  uint count;           // fragments seen: beyond `capacity` they were counted, not stored
+  uint count;  // fragments seen: beyond `capacity` they were counted, not stored
   uint capacity;
-  uvec2 address;        // of FragmentNode[capacity]: pools outgrow the range of a descriptor
+  uvec2 address;  // of FragmentNode[capacity]: pools outgrow the range of a descriptor
 };
 
 PLUME_SHARED_END

@@ -1,5 +1,5 @@
-// A card: what every transparent thing is drawn as. A parallelogram in the world with a texture of optical depth on it:
-// a camera-facing sprite, a pane of glass, a painted quad.
+// A card: what every transparent thing is drawn as. A parallelogram in the world with a texture of optical
+// depth on it: a camera-facing sprite, a pane of glass, a painted quad.
 #ifndef PLUME_SHARED_CARD_H
 #define PLUME_SHARED_CARD_H
 
@@ -8,18 +8,18 @@
 PLUME_SHARED_BEGIN
 
 struct Card {
-  vec3 center;           // world, m; camera offset applied
-  float optical_depth;   // of the texture's mean; 0 = not drawn
-  vec3 axis_u;           // half edges, m
-  float inv_feather;     // 1/m, z-feather in front of opaque surfaces; 0 = none
+  vec3 center;          // world, m; camera offset applied
+  float optical_depth;  // of the texture's mean; 0 = not drawn
+  vec3 axis_u;          // half edges, m
+  float inv_feather;    // 1/m, z-feather in front of opaque surfaces; 0 = none
   vec3 axis_v;
-  uint layers;           // two texture layers, 16 bits each
+  uint layers;  // two texture layers, 16 bits each
   // Colours are four half floats in two words: see pack_half4.
-  uvec2 sunlit;          // rgb radiance when fully lit by the sun; a: blend between the two layers
-  uvec2 ambient;         // rgb radiance from everywhere; a: unused
-  uvec2 emission;        // rgb radiance added, whatever the coverage; a: unused
-  uvec2 transmission;    // rgb share of light that passes where covered; a: unused
-  uvec2 light;           // xyz direction to the sun in the card's frame (u, v, towards the camera); a: unused
+  uvec2 sunlit;        // rgb radiance when fully lit by the sun; a: blend between the two layers
+  uvec2 ambient;       // rgb radiance from everywhere; a: unused
+  uvec2 emission;      // rgb radiance added, whatever the coverage; a: unused
+  uvec2 transmission;  // rgb share of light that passes where covered; a: unused
+  uvec2 light;         // xyz direction to the sun in the card's frame (u, v, towards the camera); a: unused
 };
 
 PLUME_SHARED_END

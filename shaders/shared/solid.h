@@ -22,9 +22,9 @@ const uint kSolidPlane = 0u;
 const uint kSolidBox = 1u;
 const uint kSolidSphere = 2u;
 const uint kSolidCapsule = 3u;
-const uint kMaterialUnlit = 5u;                                // colour is radiance
-const uint kSolidRing = 16u;                                  // facets around a sphere or capsule
-const uint kSolidVertices = kSolidRing * kSolidRing * 6u;     // of the finest mesh
+const uint kMaterialUnlit = 5u;                            // colour is radiance
+const uint kSolidRing = 16u;                               // facets around a sphere or capsule
+const uint kSolidVertices = kSolidRing * kSolidRing * 6u;  // of the finest mesh
 
 PLUME_SHARED_END
 #endif

@@ -1,4 +1,5 @@
-// Lets a struct be written once for C++ and GLSL. Both sides use scalar layout: members follow each other as in C.
+// Lets a struct be written once for C++ and GLSL. Both sides use scalar layout: members follow each other as
+// in C.
 #ifndef PLUME_SHARED_TYPES_H
 #define PLUME_SHARED_TYPES_H
 

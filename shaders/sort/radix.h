@@ -1,5 +1,6 @@
 // Least-significant-digit radix sort of (key, value) pairs, four bits a round, stable.
-// After Satish, Harris and Garland, "Designing Efficient Sorting Algorithms for Manycore GPUs", IPDPS 2009, section IV.
+// After Satish, Harris and Garland, "Designing Efficient Sorting Algorithms for Manycore GPUs", IPDPS 2009,
+// section IV.
 #ifndef PLUME_SORT_RADIX_H
 #define PLUME_SORT_RADIX_H
 
@@ -8,13 +9,13 @@
 PLUME_SHARED_BEGIN
 
 const uint kRadixThreads = 128u;
-const uint kRadixPerThread = 8u;                                // consecutive pairs: keeps the sort stable
+const uint kRadixPerThread = 8u;  // consecutive pairs: keeps the sort stable
 const uint kRadixTile = kRadixThreads * kRadixPerThread;
 const uint kRadixDigits = 16u;
 
 struct RadixPush {
   uint count;
-  uint shift;   // of the digit
+  uint shift;  // of the digit
   uint tiles;
 };
 

@@ -1,4 +1,5 @@
-// Optical depth of a puff texel is stored relative to the mean over the card, in units of this: 3, so that 1 is 85/255 exactly.
+// Optical depth of a puff texel is stored relative to the mean over the card, in units of this: 3, so that 1
+// is 85/255 exactly.
 #ifndef PLUME_SURFACE_TEXTURE_DEPTH_H
 #define PLUME_SURFACE_TEXTURE_DEPTH_H
 #include "shared/types.h"

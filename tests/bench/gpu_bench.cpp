@@ -22,7 +22,7 @@ double copy_seconds(uint64_t bytes_moved) {
   if (from.bytes() != bytes) {
     from = gpu::Buffer(bench.device, {.owner = "bench", .label = "from", .bytes = bytes});
     to = gpu::Buffer(bench.device, {.owner = "bench", .label = "to", .bytes = bytes});
-    copy_seconds(bytes_moved);   // touches the pages
+    copy_seconds(bytes_moved);  // touches the pages
   }
   gpu::Frame frame(bench.device, bench.pipelines);
   frame.pass("copy", [&](gpu::Pass& pass) {

@@ -1,12 +1,13 @@
-// The passes of the methods on the street: sort, splat and draw, in fragments per second, against a copy of what blending moves.
+// The passes of the methods on the street: sort, splat and draw, in fragments per second, against a copy of
+// what blending moves.
+#include "renderer/radix_sort.h"
 #include "shaders/methods/reference.h"
 #include "tests/bench/gpu_bench.h"
-#include "renderer/radix_sort.h"
 
 namespace plume {
 namespace {
 
-constexpr double kBlendBytes = 16;   // RGBA16F, read and written
+constexpr double kBlendBytes = 16;  // RGBA16F, read and written
 
 struct Street {
   Street() { stage.go_to(stage.scene().default_tick, targets.size); }
@@ -20,7 +21,8 @@ struct Street {
     return made;
   }
   std::vector<gpu::PassTime> draw(MethodInstance& method) {
-    return render_frame(bench.device, bench.pipelines, targets, stage.prelude(), stage.transparents(), method).passes;
+    return render_frame(bench.device, bench.pipelines, targets, stage.prelude(), stage.transparents(), method)
+        .passes;
   }
   /// Fragments that cover or emit anything, as the reference counts them.
   double fragments() {
@@ -46,7 +48,8 @@ void BM_Sort(benchmark::State& state) {
   const gpu::Buffer unsorted = gpu::make_buffer(bench.device, "bench", "unsorted", pairs);
   const gpu::Buffer keys(bench.device, {.owner = "bench", .label = "keys", .bytes = unsorted.bytes()});
   const gpu::Buffer scratch(bench.device, {.owner = "bench", .label = "scratch", .bytes = unsorted.bytes()});
-  const gpu::Buffer counts(bench.device, {.owner = "bench", .label = "counts", .bytes = radix_counts_bytes(count)});
+  const gpu::Buffer counts(bench.device,
+                           {.owner = "bench", .label = "counts", .bytes = radix_counts_bytes(count)});
   AgainstCopy result(state, "cards/s", count, 2 * sizeof(glm::uvec2));
   for (auto _ : state) {
     gpu::Frame frame(bench.device, bench.pipelines);

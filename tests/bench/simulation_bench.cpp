@@ -1,5 +1,5 @@
-// The step kernel, the catch-up kernel and the making of cards, over numbers of particles. A step reads and writes 32 bytes a particle:
-// its floor is a copy of 64 bytes.
+// The step kernel, the catch-up kernel and the making of cards, over numbers of particles. A step reads and
+// writes 32 bytes a particle: its floor is a copy of 64 bytes.
 #include "sandbox/scene/view.h"
 #include "shaders/shared/card.h"
 #include "tests/bench/gpu_bench.h"
@@ -28,8 +28,10 @@ Effect cloud(uint32_t count, bool curl) {
 
 Simulation simulate(const Effect& effect) {
   BenchDevice& bench = bench_device();
-  return Simulation(bench.device, bench.pipelines,
-                    {{.name = "cloud", .effect = &effect, .tick = 0, .position = {0, 1, 0}, .yaw_deg = 0, .seed = 1}}, 1, {0, 0, 0});
+  return Simulation(
+      bench.device, bench.pipelines,
+      {{.name = "cloud", .effect = &effect, .tick = 0, .position = {0, 1, 0}, .yaw_deg = 0, .seed = 1}}, 1,
+      {0, 0, 0});
 }
 
 void step(benchmark::State& state, bool curl) {
@@ -39,13 +41,17 @@ void step(benchmark::State& state, bool curl) {
   simulation.step();
   AgainstCopy result(state, "particles/s", double(state.range(0)), kStepBytes);
   for (auto _ : state) {
-    if (simulation.tick() + 2 >= kLife) simulation.seek(1);   // all alive, always
+    if (simulation.tick() + 2 >= kLife) simulation.seek(1);  // all alive, always
     result.add(seconds_of(simulation.step(), "step"));
   }
 }
 
-void BM_StepWithoutNoise(benchmark::State& state) { step(state, false); }
-void BM_StepWithCurlNoise(benchmark::State& state) { step(state, true); }
+void BM_StepWithoutNoise(benchmark::State& state) {
+  step(state, false);
+}
+void BM_StepWithCurlNoise(benchmark::State& state) {
+  step(state, true);
+}
 
 /// items are particle ticks: a seek to age A integrates A ticks of every particle.
 void BM_SeekWithCurlNoise(benchmark::State& state) {
@@ -62,11 +68,15 @@ void BM_Cards(benchmark::State& state) {
   const Effect effect = cloud(uint32_t(state.range(0)), false);
   Simulation simulation = simulate(effect);
   simulation.seek(30);
-  const gpu::Buffer cards(bench.device, {.owner = "bench", .label = "cards", .bytes = uint64_t(state.range(0)) * sizeof(shared::Card)});
+  const gpu::Buffer cards(
+      bench.device,
+      {.owner = "bench", .label = "cards", .bytes = uint64_t(state.range(0)) * sizeof(shared::Card)});
   Scene scene;
   scene.camera = {CameraKey{}};
-  const gpu::Buffer view = gpu::make_buffer(bench.device, "bench", "view", std::vector{make_view(scene, scene.camera[0], {640, 360}, 30)});
-  AgainstCopy result(state, "particles/s", double(state.range(0)), sizeof(shared::Particle) + sizeof(shared::Card));
+  const gpu::Buffer view = gpu::make_buffer(bench.device, "bench", "view",
+                                            std::vector{make_view(scene, scene.camera[0], {640, 360}, 30)});
+  AgainstCopy result(state, "particles/s", double(state.range(0)),
+                     sizeof(shared::Particle) + sizeof(shared::Card));
   for (auto _ : state) {
     gpu::Frame frame(bench.device, bench.pipelines);
     frame.pass("cards", [&](gpu::Pass& pass) { simulation.record_cards(pass, view, cards, 0); });
@@ -76,7 +86,11 @@ void BM_Cards(benchmark::State& state) {
 
 BENCHMARK(BM_StepWithoutNoise)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
 BENCHMARK(BM_StepWithCurlNoise)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
-BENCHMARK(BM_SeekWithCurlNoise)->Args({100'000, 10})->Args({100'000, 100})->Args({100'000, 590})->Apply(timed);
+BENCHMARK(BM_SeekWithCurlNoise)
+    ->Args({100'000, 10})
+    ->Args({100'000, 100})
+    ->Args({100'000, 590})
+    ->Apply(timed);
 BENCHMARK(BM_Cards)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
 
 }  // namespace

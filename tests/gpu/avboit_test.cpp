@@ -9,12 +9,12 @@ namespace plume {
 namespace {
 
 constexpr uint32_t kSlices = 128;
-constexpr double kA = 6.5, kB = 813.0;   // the defaults
+constexpr double kA = 6.5, kB = 813.0;  // the defaults
 
 class AvboitTest : public GpuTest {
  protected:
   struct Layer {
-    float z;   // view depth, m
+    float z;  // view depth, m
     float alpha;
   };
   struct Volume {
@@ -36,7 +36,8 @@ class AvboitTest : public GpuTest {
     scene.id = "layers";
     scene.camera = {{.tick = 0, .position = {0, 0, 0}, .target = {0, 0, -1}, .vertical_fov_deg = 50}};
     for (const Layer& layer : layers)
-      scene.panes.push_back({.position = {0, 0, -layer.z}, .size_m = glm::vec2(layer.z * 10), .coverage = layer.alpha});
+      scene.panes.push_back(
+          {.position = {0, 0, -layer.z}, .size_m = glm::vec2(layer.z * 10), .coverage = layer.alpha});
     Stage stage(device, pipelines, library, scene);
     const Targets targets(device, size);
     stage.go_to(0, size);
@@ -49,7 +50,9 @@ class AvboitTest : public GpuTest {
   }
 
   static double slice_of(double z) { return kSlices * std::log2(1 + z / kA) / std::log2(1 + kB / kA); }
-  static uint32_t quantise(double tau) { return uint32_t(std::clamp(tau / std::log(255.0), 0.0, 1.0) * 255 + 0.5); }
+  static uint32_t quantise(double tau) {
+    return uint32_t(std::clamp(tau / std::log(255.0), 0.0, 1.0) * 255 + 0.5);
+  }
 };
 
 TEST_F(AvboitTest, SplatSharesOpticalDepthBetweenTheTwoNearestSlices) {
@@ -67,7 +70,8 @@ TEST_F(AvboitTest, SplatSharesOpticalDepthBetweenTheTwoNearestSlices) {
   const Volume volume = render(layers);
   for (size_t ray = 0; ray < volume.overflow.size(); ++ray) {
     EXPECT_EQ(shared::kNoOverflow, volume.overflow[ray]);
-    for (uint32_t slice = 0; slice < kSlices; ++slice)   // a share at a rounding boundary may fall to either side
+    for (uint32_t slice = 0; slice < kSlices;
+         ++slice)  // a share at a rounding boundary may fall to either side
       EXPECT_NEAR(fields[slice], volume.field(ray, slice), 1.0) << "ray " << ray << " slice " << slice;
   }
 }
@@ -85,7 +89,8 @@ TEST_F(AvboitTest, IntegralIsTheTransmittanceOfTheFieldsBeforeIt) {
 }
 
 TEST_F(AvboitTest, OverflowKeepsTheFirstSliceAndNothingPassesIt) {
-  // Forty layers of alpha 0.9 in one slice are far more than eight bits; one thin layer lies before and one behind.
+  // Forty layers of alpha 0.9 in one slice are far more than eight bits; one thin layer lies before and one
+  // behind.
   std::vector<Layer> layers{{3.0f, 0.2f}, {100.0f, 0.2f}};
   for (int i = 0; i < 40; ++i) layers.push_back({20.0f, 0.9f});
   const Volume volume = render(layers);
@@ -93,7 +98,8 @@ TEST_F(AvboitTest, OverflowKeepsTheFirstSliceAndNothingPassesIt) {
   for (size_t ray = 0; ray < volume.overflow.size(); ++ray) {
     EXPECT_EQ(slice, volume.overflow[ray]);
     EXPECT_NEAR(0.8, volume.transmittance(ray, int(slice) - 1), 3.0 / 255);
-    for (uint32_t behind = slice; behind < kSlices; ++behind) ASSERT_EQ(0.0, volume.transmittance(ray, int(behind)));
+    for (uint32_t behind = slice; behind < kSlices; ++behind)
+      ASSERT_EQ(0.0, volume.transmittance(ray, int(behind)));
   }
 }
 
@@ -101,7 +107,8 @@ TEST_F(AvboitTest, ACellIsNotLostAtTheEdgeOfAPictureThatCellsDoNotDivide) {
   const Volume volume = render({{5.0f, 0.5f}}, {17, 9});
   ASSERT_EQ(glm::uvec2(3, 2), volume.cells);
   const int behind = int(slice_of(5.0)) + 1;
-  for (size_t ray = 0; ray < 6; ++ray) EXPECT_NEAR(0.5, volume.transmittance(ray, behind), 3.0 / 255) << "ray " << ray;
+  for (size_t ray = 0; ray < 6; ++ray)
+    EXPECT_NEAR(0.5, volume.transmittance(ray, behind), 3.0 / 255) << "ray " << ray;
 }
 
 TEST_F(AvboitTest, OpaqueCardHidesEverythingBehindIt) {
@@ -112,8 +119,11 @@ TEST_F(AvboitTest, OpaqueCardHidesEverythingBehindIt) {
   scene.light.horizon = {0, 0, 0};
   scene.camera = {{.tick = 0, .position = {0, 0, 0}, .target = {0, 0, -1}, .vertical_fov_deg = 50}};
   const glm::vec3 colors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (int i = 0; i < 3; ++i)   // 3 m apart: more than the two slices of bias at 8 m
-    scene.panes.push_back({.position = {0, 0, -8.0f - 3.0f * float(i)}, .size_m = {100, 100}, .color = colors[i], .coverage = 1.0f});
+  for (int i = 0; i < 3; ++i)  // 3 m apart: more than the two slices of bias at 8 m
+    scene.panes.push_back({.position = {0, 0, -8.0f - 3.0f * float(i)},
+                           .size_m = {100, 100},
+                           .color = colors[i],
+                           .coverage = 1.0f});
   Stage stage(device, pipelines, library, scene);
   const DrawnPicture picture = draw(stage, 0, {40, 24}, "avboit");
   for (const auto& pixel : picture.display.pixels) {

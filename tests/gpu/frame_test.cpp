@@ -20,8 +20,9 @@ TEST_F(FrameTest, PassTimesAddUpToTheFramesWallTimeOnACpuDevice) {
   stage.go_to(stage.scene().default_tick, targets.size);
   for (const std::string& id : method_ids()) {
     MethodInstance method = instance(id);
-    draw(stage, targets, method);   // makes pipelines and grows pools
-    double best = 0;                // another process may hold the machine for a moment: the best of three repetitions counts
+    draw(stage, targets, method);  // makes pipelines and grows pools
+    double best =
+        0;  // another process may hold the machine for a moment: the best of three repetitions counts
     for (int repetition = 0; repetition < 3; ++repetition) {
       const auto start = std::chrono::steady_clock::now();
       const FrameReport report =
@@ -48,9 +49,11 @@ TEST_F(FrameTest, ADispatchAfterDrawingIsTimedTruly) {
   draw(stage, targets, method);
 
   const Effect effect = library.effect("smoke_grenade");
-  Simulation simulation(device, pipelines, {{.name = "test", .effect = &effect, .tick = 0, .position = {}, .yaw_deg = 0, .seed = 1}},
-                        1, {0, 0, 0});
-  simulation.seek(500);   // makes the pipeline
+  Simulation simulation(
+      device, pipelines,
+      {{.name = "test", .effect = &effect, .tick = 0, .position = {}, .yaw_deg = 0, .seed = 1}}, 1,
+      {0, 0, 0});
+  simulation.seek(500);  // makes the pipeline
   double best = 0;
   for (int repetition = 0; repetition < 5; ++repetition) {
     const auto start = std::chrono::steady_clock::now();
@@ -78,7 +81,8 @@ TEST(DeviceTest, AnUnknownDeviceIsRefusedWithTheListOfThoseThere) {
     FAIL() << "nothing was thrown";
   } catch (const gpu::NoUsableDevice& error) {
     EXPECT_NE(std::string(error.what()).find("no such device"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find(gpu::list_devices().at(0).name), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(gpu::list_devices().at(0).name), std::string::npos)
+        << error.what();
   }
 }
 
@@ -97,7 +101,8 @@ TEST(DeviceTest, TheMemoryLimitNamesOwnerAndSize) {
     const gpu::Buffer buffer(device, {.owner = "avboit", .label = "extinction", .bytes = 2 << 20});
     FAIL() << "nothing was thrown";
   } catch (const gpu::DeviceFailure& error) {
-    EXPECT_NE(std::string(error.what()).find("avboit.extinction needs 2097152 bytes"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("avboit.extinction needs 2097152 bytes"), std::string::npos)
+        << error.what();
     EXPECT_NE(std::string(error.what()).find("the last pass was 'none'"), std::string::npos) << error.what();
   }
 }
@@ -125,7 +130,8 @@ TEST(DeviceTest, AnInjectedLossNamesThePass) {
     frame.finish();
     FAIL() << "nothing was thrown";
   } catch (const gpu::DeviceFailure& error) {
-    EXPECT_NE(std::string(error.what()).find("the last pass was 'display'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("the last pass was 'display'"), std::string::npos)
+        << error.what();
   }
 }
 

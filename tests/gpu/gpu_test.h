@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/picture.h"
 #include "sandbox/scene/stage.h"
@@ -12,7 +14,9 @@ namespace plume {
 
 class GpuTest : public testing::Test {
  protected:
-  gpu::Device device{{.validate = true}};
+  // PLUME_TEST_SYNCHRONIZATION=1 checks hazards too, at several times the cost.
+  gpu::Device device{
+      {.validate = true, .synchronization_validation = std::getenv("PLUME_TEST_SYNCHRONIZATION") != nullptr}};
   gpu::Shaders shaders;
   gpu::Pipelines pipelines{device, shaders};
   PresetLibrary library{PLUME_SOURCE_PRESETS};

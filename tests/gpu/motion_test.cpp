@@ -22,10 +22,13 @@ class MotionTest : public GpuTest {
     e.look.cross_section_m2 = 0.1f;
     return e;
   }
-  std::vector<shared::Particle> particles_at(const Emitter& e, uint32_t tick, glm::vec3 wind = {}, glm::vec3 origin = {}) {
+  std::vector<shared::Particle> particles_at(const Emitter& e, uint32_t tick, glm::vec3 wind = {},
+                                             glm::vec3 origin = {}) {
     const Effect effect{.id = "test", .name = "", .description = "", .emitters = {e}};
-    Simulation simulation(device, pipelines,
-                          {{.name = "test", .effect = &effect, .tick = 0, .position = origin, .yaw_deg = 0, .seed = 1}}, 1, wind);
+    Simulation simulation(
+        device, pipelines,
+        {{.name = "test", .effect = &effect, .tick = 0, .position = origin, .yaw_deg = 0, .seed = 1}}, 1,
+        wind);
     simulation.seek(tick);
     return simulation.particles();
   }
@@ -87,7 +90,8 @@ TEST_F(MotionTest, GravityDragWindAndBuoyancyFollowTheRecurrenceInDoublePrecisio
   glm::dvec3 position(0), velocity(e.motion.velocity);
   const glm::dvec3 carried = glm::dvec3(wind) * 0.5;
   for (int age = 0; age < 120; ++age) {
-    const glm::dvec3 acceleration(0, -9.81 * 0.5 + 3.0 * std::exp(-age * kTick / double(e.motion.cooling_s)), 0);
+    const glm::dvec3 acceleration(0, -9.81 * 0.5 + 3.0 * std::exp(-age * kTick / double(e.motion.cooling_s)),
+                                  0);
     velocity += acceleration * kTick;
     velocity = carried + (velocity - carried) / (1 + double(e.motion.drag) * kTick);
     position += velocity * kTick;
@@ -104,12 +108,14 @@ TEST_F(MotionTest, AVortexTurnsAroundItsAxisAndPullsInwards) {
   e.motion.vortex = {.strength = 2, .radius_m = 1, .pull = 0};
   for (const auto& p : particles_at(e, 1)) {
     const glm::vec2 arm(p.position.x, p.position.z), v(p.velocity.x, p.velocity.z);
-    EXPECT_NEAR(2.0 * kTick, glm::dot(v, glm::vec2(-arm.y, arm.x)), 1e-3) << "tangential speed after a tick at the core radius";
+    EXPECT_NEAR(2.0 * kTick, glm::dot(v, glm::vec2(-arm.y, arm.x)), 1e-3)
+        << "tangential speed after a tick at the core radius";
     EXPECT_NEAR(0.0, glm::dot(v, arm), 2e-3);
   }
   e.motion.vortex = {.strength = 0, .radius_m = 1, .pull = 3};
   for (const auto& p : particles_at(e, 1))
-    EXPECT_NEAR(-3.0 * kTick, glm::dot(glm::vec2(p.velocity.x, p.velocity.z), glm::vec2(p.position.x, p.position.z)), 1e-3);
+    EXPECT_NEAR(-3.0 * kTick,
+                glm::dot(glm::vec2(p.velocity.x, p.velocity.z), glm::vec2(p.position.x, p.position.z)), 1e-3);
 }
 
 TEST_F(MotionTest, CurlNoiseStirsWithoutACommonDrift) {
@@ -138,13 +144,16 @@ TEST_F(MotionTest, TheFloorHoldsWhatFalls) {
 TEST_F(MotionTest, ACameraOffsetMovesTheCardAlongItsRayAndKeepsItsSizeOnScreen) {
   Scene scene;
   scene.camera = {{.tick = 0, .position = {0, 1, 10}, .target = {0, 1, 0}, .vertical_fov_deg = 50}};
-  const auto view = gpu::make_buffer(device, "test", "view", std::vector{make_view(scene, scene.camera[0], {64, 36}, 0)});
+  const auto view =
+      gpu::make_buffer(device, "test", "view", std::vector{make_view(scene, scene.camera[0], {64, 36}, 0)});
   const auto card_with = [&](float offset) {
     Emitter e = emitter(1);
     e.look.camera_offset_m = offset;
     const Effect effect{.id = "test", .name = "", .description = "", .emitters = {e}};
-    Simulation simulation(device, pipelines,
-                          {{.name = "test", .effect = &effect, .tick = 0, .position = {2, 2, 0}, .yaw_deg = 0, .seed = 1}}, 1, {});
+    Simulation simulation(
+        device, pipelines,
+        {{.name = "test", .effect = &effect, .tick = 0, .position = {2, 2, 0}, .yaw_deg = 0, .seed = 1}}, 1,
+        {});
     simulation.seek(0);
     const gpu::Buffer cards(device, {.owner = "test", .label = "cards", .bytes = sizeof(shared::Card)});
     gpu::Frame frame(device, pipelines);
@@ -157,7 +166,8 @@ TEST_F(MotionTest, ACameraOffsetMovesTheCardAlongItsRayAndKeepsItsSizeOnScreen) 
   EXPECT_NEAR(10.0f, camera.z - plain.center.z, 1e-4f);
   EXPECT_NEAR(8.5f, camera.z - nearer.center.z, 1e-4f);
   const float scale = 8.5f / 10.0f;
-  EXPECT_LT(glm::length((nearer.center - camera) - (plain.center - camera) * scale), 1e-4f) << "not on the same ray";
+  EXPECT_LT(glm::length((nearer.center - camera) - (plain.center - camera) * scale), 1e-4f)
+      << "not on the same ray";
   EXPECT_NEAR(glm::length(plain.axis_u) * scale, glm::length(nearer.axis_u), 1e-5f);
   EXPECT_FLOAT_EQ(plain.optical_depth, nearer.optical_depth);
 }
@@ -165,20 +175,23 @@ TEST_F(MotionTest, ACameraOffsetMovesTheCardAlongItsRayAndKeepsItsSizeOnScreen) 
 TEST_F(MotionTest, AGrowingPuffThinsAsItsCrossSectionSays) {
   Scene scene;
   scene.camera = {{.tick = 0, .position = {0, 0, 10}, .target = {0, 0, 0}, .vertical_fov_deg = 50}};
-  const auto view = gpu::make_buffer(device, "test", "view", std::vector{make_view(scene, scene.camera[0], {64, 36}, 0)});
+  const auto view =
+      gpu::make_buffer(device, "test", "view", std::vector{make_view(scene, scene.camera[0], {64, 36}, 0)});
   for (const float radius : {0.3f, 1.0f, 2.5f}) {
     Emitter e = emitter(1);
     e.look.radius_m = Curve(radius);
     e.look.cross_section_m2 = 0.8f;
     const Effect effect{.id = "test", .name = "", .description = "", .emitters = {e}};
-    Simulation simulation(device, pipelines,
-                          {{.name = "test", .effect = &effect, .tick = 0, .position = {}, .yaw_deg = 0, .seed = 1}}, 1, {});
+    Simulation simulation(
+        device, pipelines,
+        {{.name = "test", .effect = &effect, .tick = 0, .position = {}, .yaw_deg = 0, .seed = 1}}, 1, {});
     simulation.seek(10);
     const gpu::Buffer cards(device, {.owner = "test", .label = "cards", .bytes = sizeof(shared::Card)});
     gpu::Frame frame(device, pipelines);
     frame.pass("cards", [&](gpu::Pass& pass) { simulation.record_cards(pass, view, cards, 0); });
     frame.finish();
-    EXPECT_NEAR(0.8 / (M_PI * radius * radius), gpu::read<shared::Card>(device, cards)[0].optical_depth, 1e-4 / radius);
+    EXPECT_NEAR(0.8 / (M_PI * radius * radius), gpu::read<shared::Card>(device, cards)[0].optical_depth,
+                1e-4 / radius);
   }
 }
 

@@ -1,4 +1,5 @@
-// The quads of the seed articles: the exact value where blue over green over red overlap, and WBOIT by its formula.
+// The quads of the seed articles: the exact value where blue over green over red overlap, and WBOIT by its
+// formula.
 #include <algorithm>
 #include <cmath>
 
@@ -8,29 +9,33 @@ namespace plume {
 namespace {
 
 struct Layer {
-  glm::dvec3 color;   // not premultiplied
-  double alpha, z;    // view depth
+  glm::dvec3 color;  // not premultiplied
+  double alpha, z;   // view depth
 };
 
 class QuadsTest : public GpuTest {
  protected:
   static constexpr glm::uvec2 kPicture{320, 180};
 
-  /// The scene's panes that cover a world point of the plane z = 0 as seen by the scene's camera, which looks along -z.
+  /// The scene's panes that cover a world point of the plane z = 0 as seen by the scene's camera, which looks
+  /// along -z.
   static std::vector<Layer> layers_at(const Scene& scene, glm::dvec2 ndc) {
     const CameraKey& camera = scene.camera[0];
-    const double tan_y = std::tan(glm::radians(double(camera.vertical_fov_deg)) / 2), aspect = double(kPicture.x) / kPicture.y;
+    const double tan_y = std::tan(glm::radians(double(camera.vertical_fov_deg)) / 2),
+                 aspect = double(kPicture.x) / kPicture.y;
     std::vector<Layer> layers;
     for (const Pane& pane : scene.panes) {
       const double depth = camera.position.z - pane.position.z;
       const double x = ndc.x * tan_y * aspect * depth, y = -ndc.y * tan_y * depth;
-      if (std::abs(x - pane.position.x) < pane.size_m.x / 2 && std::abs(y - pane.position.y) < pane.size_m.y / 2)
+      if (std::abs(x - pane.position.x) < pane.size_m.x / 2 &&
+          std::abs(y - pane.position.y) < pane.size_m.y / 2)
         layers.push_back({pane.color, pane.coverage, depth});
     }
     return layers;
   }
   static glm::dvec2 ndc_of(size_t pixel) {
-    return {(double(pixel % kPicture.x) + 0.5) / kPicture.x * 2 - 1, (double(pixel / kPicture.x) + 0.5) / kPicture.y * 2 - 1};
+    return {(double(pixel % kPicture.x) + 0.5) / kPicture.x * 2 - 1,
+            (double(pixel / kPicture.x) + 0.5) / kPicture.y * 2 - 1};
   }
 
   static glm::dvec3 exact(std::vector<Layer> layers, glm::dvec3 background) {
@@ -44,23 +49,27 @@ class QuadsTest : public GpuTest {
     return light + background * through;
   }
 
-  /// Equations 7 to 10 of McGuire and Bavoil 2013, the blog's colour-aware factor and LearnOpenGL's demo, in double precision.
+  /// Equations 7 to 10 of McGuire and Bavoil 2013, the blog's colour-aware factor and LearnOpenGL's demo, in
+  /// double precision.
   static double weight(const std::string& name, const Layer& layer, double near, double far) {
     const double z = layer.z, a = layer.alpha, window = far / (far - near) * (1 - near / z);
     const double eq9 = std::clamp(0.03 / (1e-5 + std::pow(z / 200, 4)), 1e-2, 3e3);
-    if (name == "eq7") return a * std::clamp(10 / (1e-5 + std::pow(z / 5, 2) + std::pow(z / 200, 6)), 1e-2, 3e3);
-    if (name == "eq8") return a * std::clamp(10 / (1e-5 + std::pow(z / 10, 3) + std::pow(z / 200, 6)), 1e-2, 3e3);
+    if (name == "eq7")
+      return a * std::clamp(10 / (1e-5 + std::pow(z / 5, 2) + std::pow(z / 200, 6)), 1e-2, 3e3);
+    if (name == "eq8")
+      return a * std::clamp(10 / (1e-5 + std::pow(z / 10, 3) + std::pow(z / 200, 6)), 1e-2, 3e3);
     if (name == "eq9") return a * eq9;
     if (name == "eq10") return a * std::max(1e-2, 3e3 * std::pow(1 - window, 3));
     if (name == "colour_aware") {
       const double brightest = std::max({layer.color.r, layer.color.g, layer.color.b});
       return std::max(std::min(1.0, brightest * a), a) * eq9;
     }
-    return std::clamp(std::pow(std::min(1.0, a * 10) + 0.01, 3) * 1e8 * std::pow(1 - window * 0.9, 3), 1e-2, 3e3);
+    return std::clamp(std::pow(std::min(1.0, a * 10) + 0.01, 3) * 1e8 * std::pow(1 - window * 0.9, 3), 1e-2,
+                      3e3);
   }
 
-  static glm::dvec3 weighted_blended(const std::string& name, const std::vector<Layer>& layers, glm::dvec3 background,
-                                     const Scene& scene) {
+  static glm::dvec3 weighted_blended(const std::string& name, const std::vector<Layer>& layers,
+                                     glm::dvec3 background, const Scene& scene) {
     glm::dvec3 sum(0.0);
     double weights = 0, reveal = 1;
     for (const Layer& layer : layers) {
@@ -72,9 +81,11 @@ class QuadsTest : public GpuTest {
     return sum / std::max(weights, 1e-5) * (1 - reveal) + background * reveal;
   }
 
-  /// Largest difference over pixels whose neighbours see the same layers (edges are rasterisation, not blending).
+  /// Largest difference over pixels whose neighbours see the same layers (edges are rasterisation, not
+  /// blending).
   template <class Expected>
-  double worst_difference(const Scene& scene, const DrawnPicture& picture, const DrawnPicture& background, Expected expected) {
+  double worst_difference(const Scene& scene, const DrawnPicture& picture, const DrawnPicture& background,
+                          Expected expected) {
     double worst = 0;
     size_t compared = 0;
     const glm::dvec2 texel(2.0 / kPicture.x, 2.0 / kPicture.y);
@@ -86,7 +97,8 @@ class QuadsTest : public GpuTest {
         continue;
       ++compared;
       const glm::dvec3 wanted = expected(layers, glm::dvec3(background.linear.pixels[i]));
-      for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(wanted[c] - double(picture.linear.pixels[i][c])));
+      for (int c = 0; c < 3; ++c)
+        worst = std::max(worst, std::abs(wanted[c] - double(picture.linear.pixels[i][c])));
     }
     EXPECT_GT(compared, 1000u);
     return worst;
@@ -115,7 +127,9 @@ TEST_F(QuadsTest, TheReferenceIsTheOverOperatorEverywhere) {
   for (const char* name : {"quads_learnopengl", "quads_mcguire"}) {
     const Scene scene = library.scene(name);
     Stage stage(device, pipelines, library, scene);
-    EXPECT_LT(worst_difference(scene, draw(stage, 0, kPicture, "reference"), background_of(scene), exact), 1e-3) << name;
+    EXPECT_LT(worst_difference(scene, draw(stage, 0, kPicture, "reference"), background_of(scene), exact),
+              1e-3)
+        << name;
   }
 }
 
@@ -135,7 +149,8 @@ TEST_F(QuadsTest, WboitIsWhatEachOfItsFormulasSays) {
 }
 
 TEST_F(QuadsTest, WboitIsWhatEachOfItsFormulasSaysForThinLayers) {
-  // The demo's weight is at its clamp of 3000 for every coverage above 0.03, at any depth: only thin layers tell its shape.
+  // The demo's weight is at its clamp of 3000 for every coverage above 0.03, at any depth: only thin layers
+  // tell its shape.
   Scene scene;
   scene.id = "thin";
   scene.tonemap = Tonemap::kNone;

@@ -19,7 +19,8 @@ class RadixSortTest : public GpuTest {
     const uint32_t count = uint32_t(pairs.size());
     const auto source = gpu::make_buffer(device, "test", "pairs", pairs);
     const gpu::Buffer scratch(device, {.owner = "test", .label = "scratch", .bytes = source.bytes()});
-    const gpu::Buffer counts(device, {.owner = "test", .label = "counts", .bytes = radix_counts_bytes(count)});
+    const gpu::Buffer counts(device,
+                             {.owner = "test", .label = "counts", .bytes = radix_counts_bytes(count)});
     gpu::Frame frame(device, pipelines);
     frame.pass("sort", [&](gpu::Pass& pass) { radix_sort(pass, source, scratch, counts, count); });
     frame.finish();
@@ -32,7 +33,7 @@ class RadixSortTest : public GpuTest {
 TEST_F(RadixSortTest, EqualsAStableSortForAnyCount) {
   std::mt19937 random(7);
   for (const uint32_t count : {1u, 2u, 63u, 1023u, 1024u, 1025u, 5000u, 70001u})
-    for (const uint32_t most : {3u, 1000u, 0xffffffffu}) {   // many ties, few, hardly any
+    for (const uint32_t most : {3u, 1000u, 0xffffffffu}) {  // many ties, few, hardly any
       std::vector<Pair> pairs;
       for (uint32_t i = 0; i < count; ++i) pairs.push_back({uint32_t(random()) % most, i});
       auto expected = pairs;

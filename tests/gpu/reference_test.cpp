@@ -1,9 +1,9 @@
 // The exact reference against the same fragments composited on the CPU in double precision.
-#include <algorithm>
+#include "shaders/methods/reference.h"
 
+#include <algorithm>
 #include <glm/gtc/packing.hpp>
 
-#include "shaders/methods/reference.h"
 #include "tests/gpu/gpu_test.h"
 
 namespace plume {
@@ -15,7 +15,7 @@ class ReferenceTest : public GpuTest {
  protected:
   struct Captured {
     DrawnPicture picture;
-    std::vector<glm::vec4> background;   // linear
+    std::vector<glm::vec4> background;  // linear
     std::vector<uint32_t> heads;
     std::vector<FragmentNode> nodes;
     uint32_t count;

@@ -11,12 +11,18 @@ class SimulationTest : public GpuTest {
  protected:
   Simulation simulate(const Effect& effect, uint32_t call_tick = 3, uint32_t seed = 5) {
     return Simulation(device, pipelines,
-                      {{.name = "test", .effect = &effect, .tick = call_tick, .position = {0.5f, 0.2f, -1.0f}, .yaw_deg = 30, .seed = 9}},
+                      {{.name = "test",
+                        .effect = &effect,
+                        .tick = call_tick,
+                        .position = {0.5f, 0.2f, -1.0f},
+                        .yaw_deg = 30,
+                        .seed = 9}},
                       seed, {0.4f, 0.0f, 0.1f});
   }
   static uint32_t last_tick(const Effect& effect) {
     uint32_t last = 0;
-    for (const Emitter& emitter : effect.emitters) last = std::max(last, SpawnSchedule(emitter.spawn).last_tick());
+    for (const Emitter& emitter : effect.emitters)
+      last = std::max(last, SpawnSchedule(emitter.spawn).last_tick());
     return last;
   }
 };

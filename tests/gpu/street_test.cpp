@@ -27,7 +27,8 @@ TEST_F(StreetTest, AvboitIsNearerToTheReferenceThanEveryWboitWeight) {
 }
 
 TEST_F(StreetTest, OpaqueSmokeHidesThePeopleBehindIt) {
-  // The smoke grenade's purpose: with both banks up, what stands behind their middle is gone from the exact picture.
+  // The smoke grenade's purpose: with both banks up, what stands behind their middle is gone from the exact
+  // picture.
   Scene scene = library.scene("street");
   Stage with(device, pipelines, library, scene);
   const glm::uvec2 size{160, 90};

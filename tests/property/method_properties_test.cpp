@@ -8,7 +8,7 @@
 namespace plume {
 namespace {
 
-constexpr glm::uvec2 kSize{66, 34};   // no multiple of a cell of 8
+constexpr glm::uvec2 kSize{66, 34};  // no multiple of a cell of 8
 
 class MethodProperties : public GpuTest, public testing::WithParamInterface<std::string> {
  protected:
@@ -42,7 +42,9 @@ INSTANTIATE_TEST_SUITE_P(All, MethodProperties, testing::ValuesIn(method_ids()),
 // Half floats carry 11 bits: one rounding of a value below 1 is at most 2^-12.
 constexpr float kHalfRounding = 1.0f / 2048;
 
-TEST_P(MethodProperties, AnEmptySceneIsTheBackground) { expect_everywhere(draw_scene(room()), {0.2, 0.3, 0.5}, kHalfRounding); }
+TEST_P(MethodProperties, AnEmptySceneIsTheBackground) {
+  expect_everywhere(draw_scene(room()), {0.2, 0.3, 0.5}, kHalfRounding);
+}
 
 TEST_P(MethodProperties, OneFragmentIsPlainBlending) {
   for (const float alpha : {0.004f, 0.1f, 0.5f, 0.9f, 1.0f}) {
@@ -50,7 +52,8 @@ TEST_P(MethodProperties, OneFragmentIsPlainBlending) {
     const glm::vec3 color{0.8, 0.4, 0.1};
     scene.panes = {card(0, alpha, color)};
     // Weighted methods divide two half-float sums: three roundings.
-    expect_everywhere(draw_scene(scene), color * alpha + scene.light.horizon * (1 - alpha), 3 * kHalfRounding);
+    expect_everywhere(draw_scene(scene), color * alpha + scene.light.horizon * (1 - alpha),
+                      3 * kHalfRounding);
   }
 }
 
@@ -98,13 +101,17 @@ TEST_P(MethodProperties, TheOrderOfDrawsChangesNothingBeyondRounding) {
   std::iota(order.begin(), order.end(), 0u);
   std::mt19937 random(3);
   for (int round = 0; round < 4; ++round) {
-    if (round == 0) std::ranges::reverse(order);
-    else std::ranges::shuffle(order, random);
+    if (round == 0)
+      std::ranges::reverse(order);
+    else
+      std::ranges::shuffle(order, random);
     stage.set_draw_order(order);
     const DrawnPicture shuffled = draw(stage, targets, method);
     for (size_t i = 0; i < in_order.display.pixels.size(); ++i)
-      for (size_t c = 0; c < 3; ++c)   // half-float sums round differently in another order: DESIGN allows 2/255
-        ASSERT_NEAR(int(in_order.display.pixels[i][c]), int(shuffled.display.pixels[i][c]), 2) << "pixel " << i;
+      for (size_t c = 0; c < 3;
+           ++c)  // half-float sums round differently in another order: DESIGN allows 2/255
+        ASSERT_NEAR(int(in_order.display.pixels[i][c]), int(shuffled.display.pixels[i][c]), 2)
+            << "pixel " << i;
   }
 }
 
@@ -131,7 +138,8 @@ TEST_P(MethodProperties, ResizingAndSwitchingLeaveNoTrace) {
 TEST_P(MethodProperties, ATinyPictureIsDrawn) {
   Scene scene = room();
   scene.panes = {card(0, 0.5f, {1, 1, 1})};
-  expect_everywhere(draw_scene(scene, {1, 1}), glm::vec3(0.5) + scene.light.horizon * 0.5f, 3 * kHalfRounding);
+  expect_everywhere(draw_scene(scene, {1, 1}), glm::vec3(0.5) + scene.light.horizon * 0.5f,
+                    3 * kHalfRounding);
 }
 
 }  // namespace

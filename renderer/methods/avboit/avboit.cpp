@@ -1,6 +1,7 @@
-// AVBOIT in its basic form, voxel-based order-independent transparency with fixed slices and one transmittance for all colours.
-// Drobot, "Adaptive Voxel-Based Order Independent Transparency", SIGGRAPH 2025 Advances in Real-Time Rendering.
-// clear -> farthest opaque depth of each cell -> splat -> integrate -> draw -> resolve; each shader holds its stage's equation.
+// AVBOIT in its basic form, voxel-based order-independent transparency with fixed slices and one
+// transmittance for all colours. Drobot, "Adaptive Voxel-Based Order Independent Transparency", SIGGRAPH 2025
+// Advances in Real-Time Rendering. clear -> farthest opaque depth of each cell -> splat -> integrate -> draw
+// -> resolve; each shader holds its stage's equation.
 #include "renderer/methods/methods.h"
 #include "shaders/methods/avboit/volume.h"
 
@@ -8,7 +9,8 @@ namespace plume {
 namespace {
 
 constexpr uint32_t kDivisor = 8;
-constexpr std::string_view kSliceCounts[] = {"32", "64", "128", "252"};   // n + 1 texels fit the 256 that every device has
+constexpr std::string_view kSliceCounts[] = {"32", "64", "128",
+                                             "252"};  // n + 1 texels fit the 256 that every device has
 constexpr uint32_t kSlices[] = {32, 64, 128, 252};
 
 constexpr auto kTargetUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled;
@@ -26,22 +28,39 @@ class Avboit final : public Method {
   }
 
   void visit(ParameterVisitor& visitor) override {
-    visitor.choice("slices", slices_, kSliceCounts, "more separate closer layers, for memory and integration time");
-    visitor.number("curve_a", curve_a_, {.min = 0.01, .max = 10000.0, .unit = "m",
-                                         .help = "depth up to which slices are about equally thick"});
-    visitor.number("curve_b", curve_b_, {.min = 1.0, .max = 100000.0, .unit = "m",
-                                         .help = "depth of the last slice; nearer makes all slices thinner"});
-    visitor.number("bias", bias_, {.min = 0.0, .max = 8.0, .unit = "slices",
-                                   .help = "how far in front of itself a fragment reads the integral: less self-occludes, more "
-                                           "misses what is close in front"});
+    visitor.choice("slices", slices_, kSliceCounts,
+                   "more separate closer layers, for memory and integration time");
+    visitor.number("curve_a", curve_a_,
+                   {.min = 0.01,
+                    .max = 10000.0,
+                    .unit = "m",
+                    .help = "depth up to which slices are about equally thick"});
+    visitor.number("curve_b", curve_b_,
+                   {.min = 1.0,
+                    .max = 100000.0,
+                    .unit = "m",
+                    .help = "depth of the last slice; nearer makes all slices thinner"});
+    visitor.number(
+        "bias", bias_,
+        {.min = 0.0,
+         .max = 8.0,
+         .unit = "slices",
+         .help = "how far in front of itself a fragment reads the integral: less self-occludes, more "
+                 "misses what is close in front"});
   }
 
   Needs needs(glm::uvec2 size, uint32_t) const override {
     const shared::Volume volume = volume_for(size);
     const uint64_t rays = uint64_t(volume.cells.x) * volume.cells.y;
     return {
-        .images = {{.name = "farthest", .format = vk::Format::eR32Sfloat, .usage = kComputedUsage, .divisor = kDivisor},
-                   {.name = "integral", .format = vk::Format::eR8Unorm, .usage = kComputedUsage, .divisor = kDivisor,
+        .images = {{.name = "farthest",
+                    .format = vk::Format::eR32Sfloat,
+                    .usage = kComputedUsage,
+                    .divisor = kDivisor},
+                   {.name = "integral",
+                    .format = vk::Format::eR8Unorm,
+                    .usage = kComputedUsage,
+                    .divisor = kDivisor,
                     .depth = volume.slices + 1},
                    {.name = "accum", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage},
                    {.name = "optical_depth", .format = vk::Format::eR32Sfloat, .usage = kTargetUsage},
@@ -55,7 +74,8 @@ class Avboit final : public Method {
     const auto image = [&](const char* name) { return &picture.resources.image(name); };
     const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
     const shared::Volume volume = volume_for(picture.size);
-    const std::array<uint32_t, 3> cell_groups{gpu::groups(volume.cells.x, 8), gpu::groups(volume.cells.y, 8), 1};
+    const std::array<uint32_t, 3> cell_groups{gpu::groups(volume.cells.x, 8), gpu::groups(volume.cells.y, 8),
+                                              1};
     const gpu::Binding block{"VolumeBlock", buffer("volume")};
     constexpr std::array<float, 4> kZero{0, 0, 0, 0};
 
@@ -63,19 +83,18 @@ class Avboit final : public Method {
       pass.update(*buffer("volume"), volume);
       pass.barrier();
       pass.dispatch(pass.pipelines().compute("methods/avboit/farthest.comp"),
-                    {block, {"opaque_depth", &picture.opaque_depth}, {"farthest", image("farthest")}}, volume.cells,
-                    cell_groups);
+                    {block, {"opaque_depth", &picture.opaque_depth}, {"farthest", image("farthest")}},
+                    volume.cells, cell_groups);
     });
     picture.frame.pass("splat", [&](gpu::Pass& pass) {
-      picture.transparents.draw(pass, {.fragment = "methods/avboit/splat.frag",
-                                       .targets = {},
-                                       .opaque_depth = image("farthest"),
-                                       .area = {volume.cells.x, volume.cells.y},
-                                       .constants = {},
-                                       .bindings = {block,
-                                                    {"Extinction", buffer("extinction")},
-                                                    {"Overflow", buffer("overflow")}},
-                                       .covered = glm::vec2(picture.size) / glm::vec2(volume.cells * kDivisor)});
+      picture.transparents.draw(
+          pass, {.fragment = "methods/avboit/splat.frag",
+                 .targets = {},
+                 .opaque_depth = image("farthest"),
+                 .area = {volume.cells.x, volume.cells.y},
+                 .constants = {},
+                 .bindings = {block, {"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}},
+                 .covered = glm::vec2(picture.size) / glm::vec2(volume.cells * kDivisor)});
     });
     picture.frame.pass("integrate", [&](gpu::Pass& pass) {
       pass.dispatch(pass.pipelines().compute("methods/avboit/integrate.comp"),
@@ -119,13 +138,15 @@ class Avboit final : public Method {
             .padding = 0};
   }
 
-  int slices_ = 2;   // 128
-  float curve_a_ = 6.5f, curve_b_ = 813.0f;   // the talk's 16384 / 2^6 and 32000 inches
+  int slices_ = 2;                           // 128
+  float curve_a_ = 6.5f, curve_b_ = 813.0f;  // the talk's 16384 / 2^6 and 32000 inches
   float bias_ = 2.0f;
 };
 
 }  // namespace
 
-std::unique_ptr<Method> make_avboit() { return std::make_unique<Avboit>(); }
+std::unique_ptr<Method> make_avboit() {
+  return std::make_unique<Avboit>();
+}
 
 }  // namespace plume
