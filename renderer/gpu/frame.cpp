@@ -41,6 +41,10 @@ void Pass::bind(const Pipeline& pipeline, const Bindings& bindings, std::span<co
     vk::WriteDescriptorSet write{
         .dstBinding = wanted.binding, .descriptorCount = 1, .descriptorType = wanted.type};
     if (const auto* buffer = std::get_if<const Buffer*>(&given->resource)) {
+      const uint64_t most = pipelines_.limits().maxStorageBufferRange;
+      if ((*buffer)->bytes() > most)
+        throw DeviceFailure(fmt::format("{} needs {} bytes of '{}' in one binding, the device allows {}",
+                                        pipeline.name, (*buffer)->bytes(), wanted.name, most));
       buffers[i] = vk::DescriptorBufferInfo{.buffer = (*buffer)->vk(), .range = VK_WHOLE_SIZE};
       write.pBufferInfo = &buffers[i];
     } else {
@@ -59,6 +63,11 @@ void Pass::bind(const Pipeline& pipeline, const Bindings& bindings, std::span<co
 
 void Pass::dispatch_raw(const Pipeline& pipeline, const Bindings& bindings, std::span<const std::byte> push,
                         std::array<uint32_t, 3> groups) {
+  const auto& most = pipelines_.limits().maxComputeWorkGroupCount;
+  for (size_t axis = 0; axis < 3; ++axis)
+    if (groups[axis] > most[axis])
+      throw DeviceFailure(fmt::format("{} needs {} work groups, the device runs {} at once", pipeline.name,
+                                      groups[axis], most[axis]));
   bind(pipeline, bindings, push);
   commands_.dispatch(groups[0], groups[1], groups[2]);
 }
@@ -98,13 +107,6 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
 
 void Pass::fill(const Buffer& buffer, uint32_t word) {
   commands_.fillBuffer(buffer.vk(), 0, VK_WHOLE_SIZE, word);
-}
-
-void Pass::clear(const Image& image, const std::array<float, 4>& value) {
-  const vk::ImageSubresourceRange range{
-      .aspectMask = image.aspect(), .levelCount = 1, .layerCount = image.layers()};
-  commands_.clearColorImage(image.vk(), vk::ImageLayout::eGeneral, vk::ClearColorValue{.float32 = value},
-                            range);
 }
 
 void Pass::update_raw(const Buffer& buffer, std::span<const std::byte> data) {
@@ -166,6 +168,7 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
 
 std::vector<PassTime> Frame::finish() {
   commands_.end();
+  if (names_.empty()) return {};
   try {
     const std::string& fault = device_.options().fault;
     for (const std::string& name : names_) {  // injected by tests, where a real driver would report it
@@ -181,7 +184,7 @@ std::vector<PassTime> Frame::finish() {
       device_.note_pass(names_[begun - 1]);
     throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device_.last_pass()));
   }
-  if (!names_.empty()) device_.note_pass(names_.back());
+  device_.note_pass(names_.back());
 
   std::vector<PassTime> times;
   const double ms_per_tick = double(device_.limits().timestampPeriod) * 1e-6;

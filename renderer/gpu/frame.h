@@ -55,7 +55,6 @@ class Pass {
     draw_raw(draw, std::as_bytes(std::span(&push, 1)));
   }
   void fill(const Buffer& buffer, uint32_t word);
-  void clear(const Image& image, const std::array<float, 4>& value);
   /// Images of one size and format.
   void copy(const Image& from, const Image& to);
   /// Writes a few structs into the buffer's start; a barrier() must follow before they are read.

@@ -31,9 +31,6 @@ vk::PipelineColorBlendAttachmentState blend_state(Blend blend) {
     case Blend::kMultiply:
       factors(F::eZero, F::eSrcColor);
       break;
-    case Blend::kOver:
-      factors(F::eOne, F::eOneMinusSrcAlpha);
-      break;
     case Blend::kOverDual:  // premultiplied colour plus RGB transmission of what lies behind, in the second
                             // output
       factors(F::eOne, F::eSrc1Color);

@@ -25,7 +25,7 @@ struct Pipeline {
 };
 
 /// How a fragment's output meets what the target holds.
-enum class Blend { kReplace, kAdd, kMultiply, kOver, kOverDual };
+enum class Blend { kReplace, kAdd, kMultiply, kOverDual };
 
 struct Target {
   vk::Format format;
@@ -55,6 +55,7 @@ class Pipelines {
   /// old ones.
   void reload();
   size_t count() const { return pipelines_.size(); }
+  const vk::PhysicalDeviceLimits& limits() const { return device_.limits(); }
   /// Clamped to the edge; linear, except for formats that devices need not filter.
   vk::Sampler sampler_for(vk::Format format) const;
 

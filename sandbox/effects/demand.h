@@ -15,10 +15,9 @@ struct InstanceDemand {
   bool awake = false;
   std::string
       why;  ///< one phrase: "has 512 particles", "not called", "starts at tick 120", "finished at tick 900"
-  uint64_t ticks_simulated =
-      0;                    ///< by stepping or by a seek, summed over the emitters' longest-lived particle
-  uint64_t dispatches = 0;  ///< simulation dispatches it took part in
-  uint64_t bytes = 0;       ///< of particle state now
+  uint64_t ticks_simulated = 0;  ///< by stepping or by seeks: of the emitter that took most
+  uint64_t dispatches = 0;       ///< simulation dispatches it took part in
+  uint64_t bytes = 0;            ///< of particle state now
 };
 
 }  // namespace plume

@@ -222,7 +222,13 @@ uint64_t Simulation::state_hash() const {
 void Simulation::count_demand(uint32_t tick, bool seeking) {
   std::vector<uint64_t> longest(calls_.size(), 0);
   for (CallState& call : calls_) call.demand.awake = false, call.demand.bytes = 0;
-  std::vector<uint64_t> living(calls_.size(), 0);
+  std::vector<uint64_t> living(calls_.size(), 0), dispatches(calls_.size(), seeking ? 1 : 0);
+  if (!seeking)
+    for (const SpanList* list : {&moving_, &fresh_}) {
+      std::vector<bool> takes_part(calls_.size(), false);
+      for (const Span& span : list->spans) takes_part[emitters_[span.emitter].call] = true;
+      for (size_t i = 0; i < calls_.size(); ++i) dispatches[i] += takes_part[i];
+    }
   for (const Span& span : living_.spans) {
     const EmitterState& emitter = emitters_[span.emitter];
     InstanceDemand& demand = calls_[emitter.call].demand;
@@ -235,7 +241,7 @@ void Simulation::count_demand(uint32_t tick, bool seeking) {
   for (size_t i = 0; i < calls_.size(); ++i) {
     CallState& call = calls_[i];
     if (call.demand.awake) {
-      call.demand.dispatches += 1;
+      call.demand.dispatches += dispatches[i];
       call.demand.ticks_simulated += longest[i];
       call.demand.why = fmt::format("has {} particles", living[i]);
     } else {

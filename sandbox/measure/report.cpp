@@ -78,7 +78,8 @@ std::string row(const FrameResult& frame) {
 
 std::string picture(const std::filesystem::path& folder, const std::string& file,
                     const std::string& caption) {
-  if (file.empty()) return "";
+  if (file.empty() || !std::filesystem::exists(folder / file))
+    return "";  // kept by --resume, its picture gone
   return fmt::format(
       "<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
       escape(caption), base64(read_file(folder / file)), escape(caption));

@@ -58,7 +58,7 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
   const vec4 shape = curve(emitter, 0u, life);   // radius, fade, alpha
   const float radius = shape.x * mix(e.radius_scale_min, e.radius_scale_max, random(key, 22u));
   float tau = e.cross_section > 0.0 ? e.cross_section / (3.14159265 * radius * radius)
-                                    : min(-log(1.0 - min(shape.z, 1.0)), kOpaqueDepth);
+                                    : min(-log(max(1.0 - shape.z, 1e-28)), kOpaqueDepth);
   tau *= shape.y;
 
   const vec3 ray = p.position - view.camera;

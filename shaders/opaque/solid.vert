@@ -47,7 +47,7 @@ void main() {
   v_normal = vec3(0.0, 1.0, 0.0);
   const uint used = s.kind == kSolidPlane ? 6u : s.kind == kSolidBox ? 36u : kSolidVertices;
   if (vertex >= used) {
-    gl_Position = vec4(0.0);
+    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);   // in front of everything that is drawn: clipped
     return;
   }
   if (s.kind == kSolidPlane) {

@@ -29,7 +29,7 @@ void main() {
   const uint id = order[place];
   const Card card = cards[id];
   if (card.optical_depth <= 0.0 && card.emission == uvec2(0)) {
-    gl_Position = vec4(0.0);
+    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);   // in front of everything that is drawn: clipped
     return;
   }
   const vec2 uv = kCorners[gl_VertexIndex];

@@ -48,7 +48,7 @@ float density(vec4 texel) { return texel.r * kTextureDepth * feather(); }
 
 float coverage_of(float density_here) { return 1.0 - exp(-v_ambient.a * density_here); }
 
-// tau of the fragment for methods that know one transmittance only: the mean of the three.
+// Coverage for methods that know one transmittance only: what it leaves is the mean of the three channels'.
 float gray_coverage(Fragment f) { return f.coverage * (1.0 - dot(f.transmission, vec3(1.0 / 3.0))); }
 
 vec3 transmittance(Fragment f) { return 1.0 - f.coverage * (1.0 - f.transmission); }

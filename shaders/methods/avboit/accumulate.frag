@@ -17,6 +17,6 @@ void main() {
   const float weight = transmittance_at(volume, integral, gl_FragCoord.xy, f.depth);
   const WeightedSums s = weighted(f, weight, weight);
   accum = s.accum;
-  optical_depth = min(-log(1.0 - gray_coverage(f)), kMaxOpticalDepth);
+  optical_depth = -log(max(1.0 - gray_coverage(f), kLeastTransmittance));
   emission = s.emission;
 }

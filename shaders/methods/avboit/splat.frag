@@ -1,7 +1,7 @@
 // AVBOIT, splat: optical depth of each fragment into the extinction volume, shared linearly between slices Z and Z + 1.
 // Four slices are 8-bit fields of one word, ordered along the ray, so that a carry only touches what lies behind. atomicAdd
 // returns the old word: the add that passes 255 knows it and keeps the first overflowing slice; behind it T = 0.
-// Limits: the quantum is ln 255 / 255 = 0.0217; thinner shares round to nothing.
+// Limits: the quantum is ln 255 / 255 = 0.0217; shares below half of it round to nothing.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
@@ -23,7 +23,7 @@ void main() {
   const float depth = v_uv_depth.z;
   if (depth * here > view.near_m) return;   // behind the farthest opaque surface of the cell
   const float through = 1.0 - coverage_of(density(puff_texel())) * (1.0 - dot(v_transmission.rgb, vec3(1.0 / 3.0)));
-  const float tau = min(-log(through), kMaxOpticalDepth);
+  const float tau = -log(max(through, kLeastTransmittance));
   const float position = slice_of(volume, depth);
   const uint slice = uint(position);
   const float share = position - float(slice);

@@ -18,8 +18,8 @@ struct Volume {
   float padding;
 };
 
-const float kLog255 = 5.5412635f;      // ln 255: the optical depth of one full 8-bit field
-const float kMaxOpticalDepth = 16.0f;  // e^-16 is black in every format
+const float kLog255 = 5.5412635f;           // ln 255: the optical depth of one full 8-bit field
+const float kLeastTransmittance = 1.1e-7f;  // e^-16: black in every format, and a logarithm exists
 const uint kNoOverflow = 0xffffffffu;
 
 PLUME_SHARED_END
