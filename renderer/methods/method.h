@@ -13,6 +13,9 @@ namespace plume {
 /// The one format of linear HDR images between passes.
 constexpr vk::Format kHdrFormat = vk::Format::eR16G16B16A16Sfloat;
 
+/// Of images that a draw writes and a later pass reads.
+constexpr auto kTargetUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled;
+
 /// Images and buffers a method declares. The renderer makes them, names them, sizes them with the picture,
 /// and clears those that say so.
 struct ImageNeed {

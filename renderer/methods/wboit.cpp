@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::string_view kWeights[] = {"eq7", "eq8", "eq9", "eq10", "colour_aware", "learnopengl"};
 
-constexpr auto kTargetUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled;
-
 class Wboit final : public Method {
  public:
   std::string_view id() const override { return "wboit"; }

@@ -53,12 +53,17 @@ std::string base64(const std::vector<uint8_t>& bytes) {
   return out;
 }
 
-std::string settings_text(const nlohmann::json& settings) {
+/// Every name and value of an object in one line.
+std::string one_line(const nlohmann::json& object, std::string_view equals, std::string_view separator) {
   std::string text;
-  for (const auto& [name, value] : settings.items())
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name,
+  for (const auto& [name, value] : object.items())
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : separator, name, equals,
                         value.is_string() ? value.get<std::string>() : value.dump());
   return text;
+}
+
+std::string settings_text(const nlohmann::json& settings) {
+  return one_line(settings, "=", ", ");
 }
 
 std::string row(const FrameResult& frame) {
@@ -92,14 +97,6 @@ std::string passes_text(const FrameResult& frame) {
   return text;
 }
 
-std::string environment_text(const nlohmann::json& environment) {
-  std::string text;
-  for (const auto& [name, value] : environment.items())
-    text += fmt::format("{}{}: {}", text.empty() ? "" : " · ", name,
-                        value.is_string() ? value.get<std::string>() : value.dump());
-  return text;
-}
-
 }  // namespace
 
 void write_report(const std::filesystem::path& path, const Results& results) {
@@ -115,7 +112,7 @@ void write_report(const std::filesystem::path& path, const Results& results) {
       "<table><tr><th>scene</th><th>tick</th><th>method</th><th>RMSE</th><th>PSNR "
       "dB</th><th>SSIM</th><th>FLIP</th>"
       "<th>GPU ms</th><th>MiB</th><th>settings</th></tr>\n",
-      kStyle, escape(environment_text(results.environment)));
+      kStyle, escape(one_line(results.environment, ": ", " · ")));
   for (const FrameResult& frame : results.frames) page += row(frame);
   page +=
       "</table>\n<p class=\"note\">Error maps show FLIP from 0 (black) to 1 (pale yellow), the same scale "

@@ -42,13 +42,14 @@ void Stage::fit_cards(uint32_t count) {
     capacity_ = std::max(count + count / 4, 64u);
     cards_ = gpu::Buffer(
         device_, {.owner = "scene", .label = "cards", .bytes = uint64_t(capacity_) * sizeof(shared::Card)});
-    order_ = gpu::Buffer();
+    in_order_ = false;
   }
   transparents_ = {.cards = &cards_, .order = &order_, .puffs = &puffs_, .view = &view_, .count = count};
 }
 
 void Stage::set_draw_order(const std::vector<uint32_t>& order) {
   order_ = gpu::make_buffer(device_, "scene", "order", order);
+  in_order_ = false;
 }
 
 std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera) {
@@ -56,9 +57,12 @@ std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::opt
   view_.mapped<shared::ViewData>()[0] =
       make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick);
   fit_cards(uint32_t(panes_.size()) + simulation_->cards());
-  std::vector<uint32_t> identity(std::max(capacity_, 1u));
-  std::iota(identity.begin(), identity.end(), 0u);
-  set_draw_order(identity);
+  if (!in_order_) {
+    std::vector<uint32_t> identity(capacity_);
+    std::iota(identity.begin(), identity.end(), 0u);
+    set_draw_order(identity);
+    in_order_ = true;
+  }
   return times;
 }
 

@@ -42,6 +42,7 @@ class Stage {
   std::vector<shared::Card> panes_;
   gpu::Buffer view_, cards_, order_;
   uint32_t capacity_ = 0;
+  bool in_order_ = false;  ///< order_ is the identity over the whole capacity
   Transparents transparents_;
 };
 

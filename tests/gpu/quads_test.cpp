@@ -109,6 +109,19 @@ class QuadsTest : public GpuTest {
     Stage stage(device, pipelines, library, scene);
     return draw(stage, 0, kPicture, "reference");
   }
+
+  /// Every weight drawn and compared with its formula.
+  void expect_formulas(const Scene& scene, double tolerance) {
+    const DrawnPicture background = background_of(scene);
+    for (const std::string weight : {"eq7", "eq8", "eq9", "eq10", "colour_aware", "learnopengl"}) {
+      Stage stage(device, pipelines, library, scene);
+      const DrawnPicture picture = draw(stage, 0, kPicture, "wboit", {{"weight", weight}});
+      const auto formula = [&](const std::vector<Layer>& layers, glm::dvec3 behind) {
+        return weighted_blended(weight, layers, behind, scene);
+      };
+      EXPECT_LT(worst_difference(scene, picture, background, formula), tolerance) << weight;
+    }
+  }
 };
 
 TEST_F(QuadsTest, BlueOverGreenOverRedAtHalfCoverageIsAQuarterAQuarterAHalf) {
@@ -136,15 +149,8 @@ TEST_F(QuadsTest, TheReferenceIsTheOverOperatorEverywhere) {
 TEST_F(QuadsTest, WboitIsWhatEachOfItsFormulasSays) {
   for (const char* name : {"quads_learnopengl", "quads_mcguire"}) {
     const Scene scene = library.scene(name);
-    const DrawnPicture background = background_of(scene);
-    for (const std::string weight : {"eq7", "eq8", "eq9", "eq10", "colour_aware", "learnopengl"}) {
-      Stage stage(device, pipelines, library, scene);
-      const DrawnPicture picture = draw(stage, 0, kPicture, "wboit", {{"weight", weight}});
-      const auto formula = [&](const std::vector<Layer>& layers, glm::dvec3 behind) {
-        return weighted_blended(weight, layers, behind, scene);
-      };
-      EXPECT_LT(worst_difference(scene, picture, background, formula), 1.0 / 255) << name << " " << weight;
-    }
+    SCOPED_TRACE(name);
+    expect_formulas(scene, 1.0 / 255);
   }
 }
 
@@ -166,16 +172,7 @@ TEST_F(QuadsTest, WboitIsWhatEachOfItsFormulasSaysForThinLayers) {
     pane.color[i] = 1;
     scene.panes.push_back(pane);
   }
-  const DrawnPicture background = background_of(scene);
-  for (const std::string weight : {"eq7", "eq8", "eq9", "eq10", "colour_aware", "learnopengl"}) {
-    Stage stage(device, pipelines, library, scene);
-    const DrawnPicture picture = draw(stage, 0, kPicture, "wboit", {{"weight", weight}});
-    const auto formula = [&](const std::vector<Layer>& layers, glm::dvec3 behind) {
-      return weighted_blended(weight, layers, behind, scene);
-    };
-    // Revealage near 1 has steps of 2^-11 in 16 bits, three layers of them.
-    EXPECT_LT(worst_difference(scene, picture, background, formula), 1.0 / 1024) << weight;
-  }
+  expect_formulas(scene, 1.0 / 1024);  // revealage near 1 has steps of 2^-11 in 16 bits, three layers of them
 }
 
 }  // namespace

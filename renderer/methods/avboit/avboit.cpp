@@ -13,7 +13,6 @@ constexpr std::string_view kSliceCounts[] = {"32", "64", "128",
                                              "252"};  // n + 1 texels fit the 256 that every device has
 constexpr uint32_t kSlices[] = {32, 64, 128, 252};
 
-constexpr auto kTargetUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled;
 constexpr auto kComputedUsage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled;
 
 class Avboit final : public Method {
