@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <variant>
 
 #include "renderer/gpu/pipelines.h"
