@@ -51,15 +51,17 @@ FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const T
     instance.resources.fit(device, instance.owner, needs, targets.size);
 
     gpu::Frame frame(device, pipelines);
-    prelude(frame, targets);
+    const Picture picture{.frame = frame,
+                          .resources = instance.resources,
+                          .transparents = transparents,
+                          .opaque_color = targets.opaque_color,
+                          .opaque_depth = targets.opaque_depth,
+                          .result = targets.result,
+                          .size = targets.size};
+    prelude.geometry(frame, targets);
     clear_declared_buffers(frame, needs, instance.resources);
-    method.record({.frame = frame,
-                   .resources = instance.resources,
-                   .transparents = transparents,
-                   .opaque_color = targets.opaque_color,
-                   .opaque_depth = targets.opaque_depth,
-                   .result = targets.result,
-                   .size = targets.size});
+    prelude.opaque(frame, targets, method.prepare(picture));
+    method.record(picture);
     show(frame, targets, *transparents.view);
     report.passes = frame.finish();
     if (!method.must_redraw(device, instance.resources)) return report;

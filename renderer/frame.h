@@ -24,8 +24,12 @@ struct MethodInstance {
   Resources resources;
 };
 
-/// Records what must be ready before transparent things are drawn (particles, opaque image).
-using Prelude = std::function<void(gpu::Frame&, const Targets&)>;
+/// Records what transparent things are drawn over and into.
+struct Prelude {
+  std::function<void(gpu::Frame&, const Targets&)> geometry;  ///< cards, and the depth of opaque things
+  /// The opaque image, of what `depth` (the opaque depth or something nearer) leaves visible.
+  std::function<void(gpu::Frame&, const Targets&, const gpu::Image& depth)> opaque;
+};
 
 struct FrameReport {
   std::vector<gpu::PassTime> passes;  ///< of the last, complete drawing

@@ -1,14 +1,24 @@
 #include "renderer/transparents.h"
 
+#include <numeric>
+
 namespace plume {
 namespace {
-constexpr uint32_t kForwardOrder = 0xffffffff;
-
 struct CardPush {
-  uint32_t order_last;  // kForwardOrder, or the index of the last: draw backwards
+  uint32_t order_first;
+  int32_t order_step;
   glm::vec2 covered;
 };
 }  // namespace
+
+Source source_of(glm::vec3 transmission) {
+  return transmission.r == transmission.g && transmission.g == transmission.b ? Source::kScalar
+                                                                              : Source::kRgb;
+}
+
+uint32_t Transparents::first(Source source) const {
+  return std::accumulate(counts.begin(), counts.begin() + size_t(source), 0u);
+}
 
 void Transparents::draw(gpu::Pass& pass, const Style& style) const {
   gpu::Bindings bindings = style.bindings;
@@ -17,7 +27,9 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
                                    {"Order", style.order ? style.order : order},
                                    {"puffs", puffs},
                                    {"opaque_depth", style.opaque_depth}});
-  pass.draw({.vertex = "surface/card.vert",
+  const uint32_t begin = style.source ? first(*style.source) : 0;
+  const uint32_t number_drawn = style.source ? number(*style.source) : count;
+  pass.draw({.vertex = style.vertex,
              .fragment = style.fragment,
              .targets = style.targets,
              .depth = style.depth_test,
@@ -26,8 +38,10 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
              .constants = style.constants,
              .bindings = std::move(bindings),
              .vertices = 6,
-             .instances = count},
-            CardPush{.order_last = style.backwards && count > 0 ? count - 1 : kForwardOrder,
+             .instances = number_drawn,
+             .count_fragments = style.count_fragments},
+            CardPush{.order_first = style.backwards && number_drawn > 0 ? begin + number_drawn - 1 : begin,
+                     .order_step = style.backwards ? -1 : 1,
                      .covered = style.covered});
 }
 

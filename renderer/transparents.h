@@ -3,11 +3,24 @@
 #ifndef PLUME_RENDERER_TRANSPARENTS_H
 #define PLUME_RENDERER_TRANSPARENTS_H
 
+#include <array>
 #include <glm/glm.hpp>
 
 #include "renderer/gpu/frame.h"
 
 namespace plume {
+
+/// What a card does to light decides which draws it belongs to, so that only those pay that need to. The
+/// cards of one source stand together.
+enum class Source {
+  kScalar,  ///< passes all colours alike
+  kHaze,    ///< only bends light
+  kRgb,     ///< passes some colours better than others
+};
+constexpr uint32_t kSources = 3;
+
+/// Of something seen that passes this share of light where it covers.
+Source source_of(glm::vec3 transmission);
 
 /// The cards of one tick and what shading them needs. Owned by whoever fills them; methods only draw.
 struct Transparents {
@@ -17,6 +30,8 @@ struct Transparents {
       nullptr;  ///< array of optical depth, normal, openness; see shaders/effects/puff.comp
   const gpu::Buffer* view = nullptr;  ///< shared::ViewData
   uint32_t count = 0;
+  std::array<uint32_t, kSources>
+      counts{};  ///< of each source, which follow each other in `cards` and `order`
 
   struct Style {
     std::string fragment;  ///< the method's shader
@@ -25,13 +40,19 @@ struct Transparents {
     const gpu::Image* opaque_depth =
         nullptr;  ///< what shade() feathers against, at the resolution of the draw
     gpu::Area area{0, 0};
+    std::string vertex = "surface/card.vert";
+    std::optional<Source> source;  ///< nothing: all cards
     gpu::Constants constants;
     gpu::Bindings bindings;              ///< the method's own, bindings 8 and up
-    const gpu::Buffer* order = nullptr;  ///< instead of the order of submission
-    bool backwards = false;              ///< last of the order first
+    const gpu::Buffer* order = nullptr;  ///< of all cards, instead of the order of submission
+    bool count_fragments = false;
+    bool backwards = false;   ///< last of the order first
     glm::vec2 covered{1.0f};  ///< share of `area` that the picture fills, when cells do not divide it
   };
   void draw(gpu::Pass& pass, const Style& style) const;
+
+  uint32_t first(Source source) const;
+  uint32_t number(Source source) const { return counts[size_t(source)]; }
 };
 
 }  // namespace plume

@@ -28,12 +28,14 @@ constexpr FeatureName<vk::PhysicalDeviceFeatures> kCoreFeatures[] = {
     PLUME_FEATURE(PhysicalDeviceFeatures, fragmentStoresAndAtomics),
     PLUME_FEATURE(PhysicalDeviceFeatures, independentBlend),
     PLUME_FEATURE(PhysicalDeviceFeatures, dualSrcBlend),
+    PLUME_FEATURE(PhysicalDeviceFeatures, occlusionQueryPrecise),
     PLUME_FEATURE(PhysicalDeviceFeatures, shaderStorageImageExtendedFormats),
 };
 constexpr FeatureName<vk::PhysicalDeviceVulkan12Features> kVulkan12Features[] = {
     PLUME_FEATURE(PhysicalDeviceVulkan12Features, bufferDeviceAddress),
     PLUME_FEATURE(PhysicalDeviceVulkan12Features, scalarBlockLayout),
     PLUME_FEATURE(PhysicalDeviceVulkan12Features, hostQueryReset),
+    PLUME_FEATURE(PhysicalDeviceVulkan12Features, shaderOutputLayer),
 };
 constexpr FeatureName<vk::PhysicalDeviceVulkan13Features> kVulkan13Features[] = {
     PLUME_FEATURE(PhysicalDeviceVulkan13Features, dynamicRendering),

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "renderer/gpu/errors.h"
 
 namespace plume::gpu {
 namespace {
 
-constexpr uint32_t kMaxPasses = 256;
+constexpr uint32_t kMaxPasses = 256, kMaxCounters = 64;
 
 const vk::MemoryBarrier2 kFullBarrier{
     .srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
@@ -101,7 +102,15 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
       0, vk::Viewport{.width = float(draw.area.width), .height = float(draw.area.height), .maxDepth = 1.0f});
   commands_.setScissor(0, area);
   bind(pipeline, draw.bindings, push);
-  if (draw.vertices > 0 && draw.instances > 0) commands_.draw(draw.vertices, draw.instances, 0, 0);
+  if (draw.count_fragments) {
+    if (counters_used_ == kMaxCounters) throw std::logic_error("a frame counts fragments in too many draws");
+    commands_.beginQuery(counters_, counters_used_, vk::QueryControlFlagBits::ePrecise);
+  }
+  if (draw.indirect)
+    commands_.drawIndirect(draw.indirect->vk(), 0, 1, sizeof(vk::DrawIndirectCommand));
+  else if (draw.vertices > 0 && draw.instances > 0)
+    commands_.draw(draw.vertices, draw.instances, 0, 0);
+  if (draw.count_fragments) commands_.endQuery(counters_, counters_used_++);
   commands_.endRendering();
 }
 
@@ -109,11 +118,17 @@ void Pass::fill(const Buffer& buffer, uint32_t word) {
   commands_.fillBuffer(buffer.vk(), 0, VK_WHOLE_SIZE, word);
 }
 
-void Pass::update_raw(const Buffer& buffer, std::span<const std::byte> data) {
+void Pass::clear(const Image& image, const std::array<float, 4>& color) {
+  commands_.clearColorImage(
+      image.vk(), vk::ImageLayout::eGeneral, vk::ClearColorValue{.float32 = color},
+      vk::ImageSubresourceRange{.aspectMask = image.aspect(), .levelCount = 1, .layerCount = image.layers()});
+}
+
+void Pass::update_raw(const Buffer& buffer, std::span<const std::byte> data, uint64_t offset) {
   constexpr size_t kMost = 65536;  // of vkCmdUpdateBuffer
   for (size_t at = 0; at < data.size(); at += kMost) {
     const auto part = data.subspan(at, std::min(kMost, data.size() - at));
-    commands_.updateBuffer<std::byte>(buffer.vk(), at,
+    commands_.updateBuffer<std::byte>(buffer.vk(), offset + at,
                                       vk::ArrayProxy<const std::byte>(uint32_t(part.size()), part.data()));
   }
 }
@@ -135,8 +150,11 @@ Frame::Frame(Device& device, Pipelines& pipelines)
       commands_(device.new_commands()),
       stamps_(device.vk().createQueryPool(
           {.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kMaxPasses})),
+      counters_(
+          device.vk().createQueryPool({.queryType = vk::QueryType::eOcclusion, .queryCount = kMaxCounters})),
       breadcrumb_(device, {.owner = "frame", .label = "breadcrumb", .bytes = 4, .host_visible = true}) {
   stamps_.reset(0, 2 * kMaxPasses);
+  counters_.reset(0, kMaxCounters);
   breadcrumb_.mapped<uint32_t>()[0] = 0;
   commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 }
@@ -146,10 +164,10 @@ void Frame::full_barrier() {
 }
 
 void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record) {
-  if (names_.size() == kMaxPasses) throw std::logic_error("a frame has too many passes");
+  if (passes_.size() == kMaxPasses) throw std::logic_error("a frame has too many passes");
   const std::string label(name);
-  const uint32_t index = uint32_t(names_.size());
-  names_.push_back(label);
+  const uint32_t index = uint32_t(passes_.size());
+  passes_.push_back({label, counters_used_, counters_used_});
   if (device_.has_debug_labels()) commands_.beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
   commands_.fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
   // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass
@@ -159,8 +177,9 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
   full_barrier();
   commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index);
   full_barrier();
-  Pass pass(commands_, pipelines_);
+  Pass pass(commands_, pipelines_, *counters_, counters_used_);
   record(pass);
+  passes_.back().end_counter = counters_used_;
   full_barrier();
   commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index + 1);
   if (device_.has_debug_labels()) commands_.endDebugUtilsLabelEXT();
@@ -168,10 +187,11 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
 
 std::vector<PassTime> Frame::finish() {
   commands_.end();
-  if (names_.empty()) return {};
+  if (passes_.empty()) return {};
   try {
     const std::string& fault = device_.options().fault;
-    for (const std::string& name : names_) {  // injected by tests, where a real driver would report it
+    for (const auto& [name, first, end] :
+         passes_) {  // injected by tests, where a real driver would report it
       if (fault == "device_lost@" + name) throw DeviceFailure("the device was lost (injected)");
       if (fault == "out_of_memory@" + name) throw DeviceFailure("out of device memory (injected)");
     }
@@ -181,18 +201,28 @@ std::vector<PassTime> Frame::finish() {
     if (!fault.empty())
       device_.note_pass(fault.substr(fault.find('@') + 1));
     else if (const uint32_t begun = breadcrumb_.mapped<uint32_t>()[0])
-      device_.note_pass(names_[begun - 1]);
+      device_.note_pass(passes_[begun - 1].name);
     throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device_.last_pass()));
   }
-  device_.note_pass(names_.back());
+  device_.note_pass(passes_.back().name);
 
   std::vector<PassTime> times;
   const double ms_per_tick = double(device_.limits().timestampPeriod) * 1e-6;
   const auto [result, stamps] = stamps_.getResults<uint64_t>(
-      0, 2 * uint32_t(names_.size()), 2 * names_.size() * sizeof(uint64_t), sizeof(uint64_t),
+      0, 2 * uint32_t(passes_.size()), 2 * passes_.size() * sizeof(uint64_t), sizeof(uint64_t),
       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
-  for (size_t i = 0; i < names_.size(); ++i)
-    times.push_back({names_[i], double(stamps[2 * i + 1] - stamps[2 * i]) * ms_per_tick});
+  std::vector<uint64_t> counts;
+  if (counters_used_ > 0)
+    counts = counters_
+                 .getResults<uint64_t>(0, counters_used_, counters_used_ * sizeof(uint64_t), sizeof(uint64_t),
+                                       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait)
+                 .second;
+  for (size_t i = 0; i < passes_.size(); ++i) {
+    const auto& [name, first, end] = passes_[i];
+    times.push_back({name, double(stamps[2 * i + 1] - stamps[2 * i]) * ms_per_tick, {}});
+    if (end > first)
+      times.back().fragments = std::accumulate(counts.begin() + first, counts.begin() + end, uint64_t(0));
+  }
   return times;
 }
 

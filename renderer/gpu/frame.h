@@ -31,7 +31,7 @@ struct Area {
 };
 
 struct Draw {
-  std::string vertex, fragment;
+  std::string vertex, fragment;  ///< fragment "": depth only
   std::vector<Attachment> targets;
   const Image* depth = nullptr;
   DepthUse depth_use = DepthUse::kNone;
@@ -40,6 +40,8 @@ struct Draw {
   Constants constants;
   Bindings bindings;
   uint32_t vertices = 3, instances = 1;
+  const Buffer* indirect = nullptr;  ///< vk::DrawIndirectCommand, instead of `vertices` and `instances`
+  bool count_fragments = false;      ///< those that pass the depth test, into PassTime::fragments
 };
 
 class Pass {
@@ -56,12 +58,14 @@ class Pass {
     draw_raw(draw, std::as_bytes(std::span(&push, 1)));
   }
   void fill(const Buffer& buffer, uint32_t word);
+  void clear(const Image& image, const std::array<float, 4>& color);
   /// Images of one size and format.
   void copy(const Image& from, const Image& to);
-  /// Writes a few structs into the buffer's start; a barrier() must follow before they are read.
+  /// Writes a few structs into the buffer, from element `first` on; a barrier() must follow before they are
+  /// read.
   template <class Data>
-  void update(const Buffer& buffer, std::span<const Data> data) {
-    update_raw(buffer, std::as_bytes(data));
+  void update(const Buffer& buffer, std::span<const Data> data, uint64_t first = 0) {
+    update_raw(buffer, std::as_bytes(data), first * sizeof(Data));
   }
   template <class Data>
   void update(const Buffer& buffer, const Data& data) {
@@ -74,21 +78,25 @@ class Pass {
 
  private:
   friend class Frame;
-  Pass(const vk::raii::CommandBuffer& commands, Pipelines& pipelines)
-      : commands_(commands), pipelines_(pipelines) {}
+  Pass(const vk::raii::CommandBuffer& commands, Pipelines& pipelines, vk::QueryPool counters,
+       uint32_t& counters_used)
+      : commands_(commands), pipelines_(pipelines), counters_(counters), counters_used_(counters_used) {}
   void dispatch_raw(const Pipeline&, const Bindings&, std::span<const std::byte> push,
                     std::array<uint32_t, 3>);
   void draw_raw(const Draw&, std::span<const std::byte> push);
-  void update_raw(const Buffer& buffer, std::span<const std::byte> data);
+  void update_raw(const Buffer& buffer, std::span<const std::byte> data, uint64_t offset);
   void bind(const Pipeline&, const Bindings&, std::span<const std::byte> push);
 
   const vk::raii::CommandBuffer& commands_;
   Pipelines& pipelines_;
+  vk::QueryPool counters_;  ///< occlusion queries
+  uint32_t& counters_used_;
 };
 
 struct PassTime {
   std::string name;
   double ms;
+  std::optional<uint64_t> fragments;  ///< that passed the depth test, in the draws that count them
 };
 
 class Frame {
@@ -110,8 +118,14 @@ class Frame {
   Pipelines& pipelines_;
   vk::raii::CommandBuffer commands_;
   vk::raii::QueryPool stamps_;
+  vk::raii::QueryPool counters_;
+  uint32_t counters_used_ = 0;
   Buffer breadcrumb_;  ///< host-visible: 1 + index of the last pass that began on the device
-  std::vector<std::string> names_;
+  struct Recorded {
+    std::string name;
+    uint32_t first_counter, end_counter;
+  };
+  std::vector<Recorded> passes_;
 };
 
 /// Work groups that cover `items` with groups of `size`.

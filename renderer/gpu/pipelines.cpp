@@ -31,6 +31,11 @@ vk::PipelineColorBlendAttachmentState blend_state(Blend blend) {
     case Blend::kMultiply:
       factors(F::eZero, F::eSrcColor);
       break;
+    case Blend::kAddMultiplyAlpha:
+      factors(F::eOne, F::eOne);
+      state.srcAlphaBlendFactor = F::eZero;
+      state.dstAlphaBlendFactor = F::eSrcAlpha;
+      break;
     case Blend::kOverDual:  // premultiplied colour plus RGB transmission of what lies behind, in the second
                             // output
       factors(F::eOne, F::eSrc1Color);
@@ -155,19 +160,22 @@ Pipeline Pipelines::make_compute(const std::string& shader, const Constants& con
 }
 
 Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
-  const std::vector<uint32_t> words[] = {shaders_.load(desc.vertex), shaders_.load(desc.fragment)};
+  std::vector<std::vector<uint32_t>> words{shaders_.load(desc.vertex)};
+  if (!desc.fragment.empty()) words.push_back(shaders_.load(desc.fragment));
   const std::string name = desc.vertex + " + " + desc.fragment;
   Pipeline result = start(name, words, vk::PipelineBindPoint::eGraphics);
-  const vk::raii::ShaderModule modules[] = {make_module(device_, words[0]), make_module(device_, words[1])};
+  constexpr vk::ShaderStageFlagBits kStages[] = {vk::ShaderStageFlagBits::eVertex,
+                                                 vk::ShaderStageFlagBits::eFragment};
   const Specialisation specialisation(desc.constants);
-  const vk::PipelineShaderStageCreateInfo stages[] = {{.stage = vk::ShaderStageFlagBits::eVertex,
-                                                       .module = *modules[0],
-                                                       .pName = "main",
-                                                       .pSpecializationInfo = &specialisation.info},
-                                                      {.stage = vk::ShaderStageFlagBits::eFragment,
-                                                       .module = *modules[1],
-                                                       .pName = "main",
-                                                       .pSpecializationInfo = &specialisation.info}};
+  std::vector<vk::raii::ShaderModule> modules;
+  std::vector<vk::PipelineShaderStageCreateInfo> stages;
+  for (size_t i = 0; i < words.size(); ++i) {
+    modules.push_back(make_module(device_, words[i]));
+    stages.push_back({.stage = kStages[i],
+                      .module = *modules[i],
+                      .pName = "main",
+                      .pSpecializationInfo = &specialisation.info});
+  }
   const vk::PipelineVertexInputStateCreateInfo no_vertex_buffers;
   const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
   const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
@@ -195,8 +203,8 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
                                                                                ? vk::Format::eUndefined
                                                                                : vk::Format::eD32Sfloat};
   result.pipeline = device_.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
-                                                                  .stageCount = 2,
-                                                                  .pStages = stages,
+                                                                  .stageCount = uint32_t(stages.size()),
+                                                                  .pStages = stages.data(),
                                                                   .pVertexInputState = &no_vertex_buffers,
                                                                   .pInputAssemblyState = &assembly,
                                                                   .pViewportState = &viewport,

@@ -25,7 +25,7 @@ struct Pipeline {
 };
 
 /// How a fragment's output meets what the target holds.
-enum class Blend { kReplace, kAdd, kMultiply, kOverDual };
+enum class Blend { kReplace, kAdd, kMultiply, kAddMultiplyAlpha, kOverDual };
 
 struct Target {
   vk::Format format;
@@ -38,7 +38,7 @@ struct Target {
 enum class DepthUse { kNone, kTest, kTestAndWrite };
 
 struct GraphicsDesc {
-  std::string vertex, fragment;  ///< shader names; no vertex buffers: shaders pull
+  std::string vertex, fragment;  ///< shader names; fragment "": depth only. No vertex buffers: shaders pull
   std::vector<Target> targets;
   DepthUse depth = DepthUse::kNone;  ///< reversed: nearer is greater; D32
   Constants constants;

@@ -91,10 +91,19 @@ struct Look {
   Gradient emission{glm::vec3(0.0f)};     ///< linear radiance of a fully dense texel
   bool lit = true;                        ///< albedo is lit by sun and sky; otherwise it is radiance itself
   float feather_m = 0.0f;                 ///< z-feather: fades over this distance in front of opaque surfaces
-  float camera_offset_m = 0.0f;           ///< moves depth along the camera ray, positive towards the camera
+  glm::vec3 transmission{0.0f};           ///< share of light that passes where covered: coloured smoke
+  float distortion_deg = 0.0f;   ///< bends what is seen through it at full slope; it then shows nothing else
+  float camera_offset_m = 0.0f;  ///< moves depth along the camera ray, positive towards the camera
+  std::string layer;             ///< name of one of the effect's layers, "" = none
   float flipbook_fps = 8.0f;
   Range<float> spin_deg_s{0.0f, 0.0f};
   float stretch_s = 0.0f;  ///< card grows along its velocity by speed * this
+};
+
+/// A named camera offset that emitters share: artists' layering. Renderers keep its depths apart.
+struct Layer {
+  std::string name;
+  float camera_offset_m = 0.0f;
 };
 
 struct Emitter {
@@ -109,6 +118,7 @@ struct Effect {
   std::string id;  ///< file name without extension
   std::string name;
   std::string description;
+  std::vector<Layer> layers;
   std::vector<Emitter> emitters;
 };
 

@@ -39,7 +39,7 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .life_max = spawn.life_ticks.max,
           .curl_octaves = motion.curl.strength != 0.0f ? motion.curl.octaves : 0,
           .texture_kind = uint32_t(look.texture),
-          .flags = look.lit ? shared::kEmitterLit : 0,
+          .flags = (look.lit ? shared::kEmitterLit : 0) | (look.layer.empty() ? 0 : shared::kEmitterSetApart),
           .origin = origin,
           .yaw_sin = yaw_sin,
           .size = shape.size_m,
@@ -71,7 +71,9 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .spin_min = glm::radians(look.spin_deg_s.min),
           .spin_max = glm::radians(look.spin_deg_s.max),
           .stretch = look.stretch_s,
-          .core = call.position};
+          .core = call.position,
+          .transmission = look.transmission,
+          .distortion = glm::radians(look.distortion_deg)};
 }
 
 CurveTable bake_curves(const Look& look) {

@@ -30,28 +30,42 @@ void upload(gpu::Device& device, gpu::Buffer& buffer, const char* label, const s
   std::copy(data.begin(), data.end(), buffer.mapped<T>().begin());
 }
 
+Source source_of(const Look& look) {
+  return look.distortion_deg > 0.0f ? Source::kHaze : plume::source_of(look.transmission);
+}
+
 }  // namespace
 
 Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls,
                        uint32_t scene_seed, glm::vec3 wind)
     : device_(device), pipelines_(pipelines) {
+  struct Member {
+    uint32_t call, index;
+    Source source;
+  };
+  std::vector<Member> members;
+  for (Call& call : calls) {
+    for (uint32_t e = 0; e < call.effect->emitters.size(); ++e)
+      members.push_back({uint32_t(calls_.size()), e, source_of(call.effect->emitters[e].look)});
+    calls_.push_back({.call = std::move(call), .last_tick = 0, .demand = {}});
+    calls_.back().demand.name = calls_.back().call.name;
+    calls_.back().demand.called = true;
+  }
+  std::ranges::stable_sort(members, {}, &Member::source);  // cards of one source stand together
+
   std::vector<shared::EmitterData> data;
   std::vector<glm::vec4> curves;
-  for (Call& call : calls) {
-    CallState state{.call = std::move(call), .last_tick = 0, .demand = {}};
-    state.demand.name = state.call.name;
-    state.demand.called = true;
-    for (uint32_t e = 0; e < state.call.effect->emitters.size(); ++e) {
-      const Emitter& emitter = state.call.effect->emitters[e];
-      data.push_back(emitter_data(state.call, e, scene_seed, wind));
-      const CurveTable table = bake_curves(emitter.look);
-      curves.insert(curves.end(), table.begin(), table.end());
-      emitters_.push_back({.call = uint32_t(calls_.size()),
-                           .schedule = SpawnSchedule(emitter.spawn),
-                           .max_life = emitter.spawn.life_ticks.max});
-      state.last_tick = std::max(state.last_tick, state.call.tick + emitters_.back().schedule.last_tick());
-    }
-    calls_.push_back(std::move(state));
+  for (const auto& [call, index, source] : members) {
+    CallState& state = calls_[call];
+    const Emitter& emitter = state.call.effect->emitters[index];
+    data.push_back(emitter_data(state.call, index, scene_seed, wind));
+    const CurveTable table = bake_curves(emitter.look);
+    curves.insert(curves.end(), table.begin(), table.end());
+    emitters_.push_back({.call = call,
+                         .source = source,
+                         .schedule = SpawnSchedule(emitter.spawn),
+                         .max_life = emitter.spawn.life_ticks.max});
+    state.last_tick = std::max(state.last_tick, state.call.tick + emitters_.back().schedule.last_tick());
   }
   if (emitters_.empty()) return;
   emitter_data_ = gpu::make_buffer(device, "simulation", "emitters", data);
@@ -199,6 +213,12 @@ void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gp
       CardsPush{
           .threads = living_.threads, .span_count = uint32_t(living_.spans.size()), .first_card = first_card},
       {gpu::groups(living_.threads, kGroupSize), 1, 1});
+}
+
+std::array<uint32_t, kSources> Simulation::cards_by_source() const {
+  std::array<uint32_t, kSources> result{};
+  for (const Span& span : living_.spans) result[size_t(emitters_[span.emitter].source)] += span.count;
+  return result;
 }
 
 std::vector<Particle> Simulation::particles() const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "renderer/gpu/frame.h"
+#include "renderer/transparents.h"
 #include "sandbox/effects/demand.h"
 #include "sandbox/effects/emitter_data.h"
 #include "sandbox/effects/spawn_schedule.h"
@@ -29,6 +30,8 @@ class Simulation {
   uint32_t tick() const { return tick_.value(); }
   /// Cards that record_cards() writes: the living and the just dead.
   uint32_t cards() const { return living_.threads; }
+  /// The same by source, in the order of the enumeration, which is also that of the cards.
+  std::array<uint32_t, kSources> cards_by_source() const;
   void record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                     uint32_t first_card) const;
 
@@ -43,6 +46,7 @@ class Simulation {
  private:
   struct EmitterState {
     uint32_t call;  // index into calls_
+    Source source;
     SpawnSchedule schedule;
     uint32_t max_life;
     bool awake = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderer/parameters.h"
 #include "sandbox/effects/spawn_schedule.h"
 #include "sandbox/presets/table_reader.h"
 
@@ -17,6 +18,7 @@ constexpr size_t kMaxEmitters = 64;
 constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
 constexpr Limits kRate{0, 1e6, "particles a second"};
 constexpr Limits kShare{0, 1};
+constexpr Limits kOffset{-100, 100, "m"};
 constexpr Limits kRadiance{0, 10'000};
 
 void read_rate(TableReader& spawn, Spawn& out) {
@@ -102,7 +104,24 @@ void read_motion(TableReader& motion, Motion& out) {
   });
 }
 
-void read_look(TableReader& look, Look& out) {
+bool is_clear(const Look& look) {
+  const auto is_zero = [](const auto& key) { return glm::vec3(key.value) == glm::vec3(0.0f); };
+  return look.opacity && std::ranges::all_of(look.opacity->keys, is_zero) &&
+         std::ranges::all_of(look.emission.keys, is_zero);
+}
+
+void read_layer(TableReader& look, const std::vector<Layer>& layers, Look& out) {
+  if (!look.text("layer", out.layer)) return;
+  const auto layer = std::ranges::find(layers, out.layer, &Layer::name);
+  std::vector<std::string> names;
+  for (const Layer& known : layers) names.push_back(known.name);
+  if (layer == layers.end())
+    look.report("layer", fmt::format("unknown layer \"{}\", {}", out.layer, suggestion(out.layer, names)));
+  else
+    out.camera_offset_m += layer->camera_offset_m;
+}
+
+void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
   look.choice("texture", out.texture, kTextures);
   look.curve("radius_m", out.radius_m, {0.001, 100, "m"});
   look.range("radius_scale", out.radius_scale, {0.01, 100});
@@ -120,7 +139,14 @@ void read_look(TableReader& look, Look& out) {
   look.gradient("color", out.color, out.lit ? kShare : kRadiance);
   look.gradient("emission", out.emission, kRadiance);
   look.number("feather_m", out.feather_m, {0, 100, "m"});
-  look.number("camera_offset_m", out.camera_offset_m, {-100, 100, "m"});
+  look.vector("transmission", out.transmission, kShare);
+  if (look.number("distortion_deg", out.distortion_deg, {0, 45, "degrees"}) && out.distortion_deg > 0 &&
+      !is_clear(out))
+    look.report("distortion_deg",
+                "an emitter that distorts also covers or shines, expected `opacity` = 0 and no `emission`: "
+                "give the haze an emitter of its own");
+  look.number("camera_offset_m", out.camera_offset_m, kOffset);
+  read_layer(look, layers, out);
   look.number("flipbook_fps", out.flipbook_fps, {0, 240, "frames a second"});
   look.range("spin_deg_s", out.spin_deg_s, {-3600, 3600, "degrees a second"});
   look.number("stretch_s", out.stretch_s, {0, 10, "s"});
@@ -134,6 +160,15 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
   read_document(text, file, [&](TableReader& top) {
     top.text("name", effect.name, Need::kRequired);
     top.text("description", effect.description);
+    top.tables("layer", kMaxEmitters, [&](TableReader& table) {
+      Layer layer;
+      table.text("name", layer.name, Need::kRequired);
+      table.number("camera_offset_m", layer.camera_offset_m, kOffset, Need::kRequired);
+      if (std::ranges::find(effect.layers, layer.name, &Layer::name) != effect.layers.end())
+        table.report("name",
+                     fmt::format("a second layer is named \"{}\", expected a name of its own", layer.name));
+      effect.layers.push_back(std::move(layer));
+    });
     top.tables(
         "emitter", kMaxEmitters,
         [&](TableReader& table) {
@@ -144,7 +179,8 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
           table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
           table.table("motion", [&](TableReader& motion) { read_motion(motion, emitter.motion); });
           table.table(
-              "look", [&](TableReader& look) { read_look(look, emitter.look); }, Need::kRequired);
+              "look", [&](TableReader& look) { read_look(look, effect.layers, emitter.look); },
+              Need::kRequired);
           if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())
             table.report("name", fmt::format("a second emitter is named \"{}\", expected a name of its own",
                                              emitter.name));

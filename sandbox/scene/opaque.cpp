@@ -31,12 +31,33 @@ OpaqueScene::OpaqueScene(gpu::Device& device, const std::vector<Solid>& solids)
   solids_ = gpu::make_buffer(device, "scene", "solids", data);
 }
 
-void OpaqueScene::record(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const {
+void OpaqueScene::record_depth(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const {
+  frame.pass("depth", [&](gpu::Pass& pass) {
+    pass.draw({.vertex = "opaque/solid.vert",
+               .fragment = "",
+               .targets = {},
+               .depth = &targets.opaque_depth,
+               .depth_use = gpu::DepthUse::kTestAndWrite,
+               .clear_depth = true,
+               .area = {targets.size.x, targets.size.y},
+               .constants = {},
+               .bindings = {{"View", &view}, {"Solids", &solids_}},
+               .vertices = shared::kSolidVertices,
+               .instances = count_},
+              0u);
+  });
+}
+
+void OpaqueScene::record_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
+                               const gpu::Buffer& view) const {
   frame.pass("opaque", [&](gpu::Pass& pass) {
+    constexpr std::array<float, 4> kBlack{0, 0, 0, 1};
     const gpu::Area area{targets.size.x, targets.size.y};
     pass.draw({.vertex = "post/fullscreen.vert",
                .fragment = "opaque/sky.frag",
-               .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = {}}},
+               .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = kBlack}},
+               .depth = &depth,
+               .depth_use = gpu::DepthUse::kTest,
                .area = area,
                .constants = {},
                .bindings = {{"View", &view}}},
@@ -44,14 +65,14 @@ void OpaqueScene::record(gpu::Frame& frame, const Targets& targets, const gpu::B
     pass.draw({.vertex = "opaque/solid.vert",
                .fragment = "opaque/solid.frag",
                .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = {}}},
-               .depth = &targets.opaque_depth,
-               .depth_use = gpu::DepthUse::kTestAndWrite,
-               .clear_depth = true,
+               .depth = &depth,  // equal where visible
+               .depth_use = gpu::DepthUse::kTest,
                .area = area,
                .constants = {},
                .bindings = {{"View", &view}, {"Solids", &solids_}},
                .vertices = shared::kSolidVertices,
-               .instances = count_},
+               .instances = count_,
+               .count_fragments = true},
               0u);
   });
 }

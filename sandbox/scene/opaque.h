@@ -10,7 +10,10 @@ namespace plume {
 class OpaqueScene {
  public:
   OpaqueScene(gpu::Device& device, const std::vector<Solid>& solids);
-  void record(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const;
+  void record_depth(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const;
+  /// Shades what `depth`, the opaque depth or something nearer, leaves visible.
+  void record_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
+                    const gpu::Buffer& view) const;
 
  private:
   gpu::Buffer solids_;

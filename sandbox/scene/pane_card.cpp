@@ -26,12 +26,13 @@ shared::Card pane_card(const Pane& pane) {
           .axis_u = along * (pane.size_m.x * 0.5f),
           .inv_feather = 0.0f,
           .axis_v = upright * (pane.size_m.y * 0.5f),
-          .layers = shared::kSolidLayer | shared::kSolidLayer << 16,
+          .layers = shared::kSolidLayer | shared::kSolidLayer << shared::kLayerBits,
           .sunlit = {0, 0},
           .ambient = pack_half4(pane.color),
           .emission = pack_half4(pane.emission),
           .transmission = pack_half4(pane.transmission),
-          .light = {0, 0}};
+          .light = {0, 0},
+          .motion = {0, 0}};
 }
 
 }  // namespace plume

@@ -34,7 +34,8 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
                      .seed = instance.seed});
   }
   simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind);
-  for (const Pane& pane : scene_.panes) panes_.push_back(pane_card(pane));
+  for (const Pane& pane : scene_.panes)
+    (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
 }
 
 void Stage::fit_cards(uint32_t count) {
@@ -45,10 +46,17 @@ void Stage::fit_cards(uint32_t count) {
     in_order_ = false;
   }
   transparents_ = {.cards = &cards_, .order = &order_, .puffs = &puffs_, .view = &view_, .count = count};
+  // As they lie in the buffer: panes, the simulation's three sources, panes. Panes emit no haze.
+  const auto [scalar, haze, rgb] = simulation_->cards_by_source();
+  transparents_.counts = {uint32_t(scalar_panes_.size()) + scalar, haze, rgb + uint32_t(rgb_panes_.size())};
 }
 
 void Stage::set_draw_order(const std::vector<uint32_t>& order) {
-  order_ = gpu::make_buffer(device_, "scene", "order", order);
+  std::vector<uint32_t> by_source;
+  for (const Source source : {Source::kScalar, Source::kHaze, Source::kRgb})
+    for (const uint32_t card : order)
+      if (card - transparents_.first(source) < transparents_.number(source)) by_source.push_back(card);
+  order_ = gpu::make_buffer(device_, "scene", "order", by_source);
   in_order_ = false;
 }
 
@@ -56,27 +64,29 @@ std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::opt
   auto times = simulation_->go_to(tick);
   view_.mapped<shared::ViewData>()[0] =
       make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick);
-  fit_cards(uint32_t(panes_.size()) + simulation_->cards());
+  fit_cards(uint32_t(scalar_panes_.size() + rgb_panes_.size()) + simulation_->cards());
   if (!in_order_) {
     std::vector<uint32_t> identity(capacity_);
     std::iota(identity.begin(), identity.end(), 0u);
-    set_draw_order(identity);
+    order_ = gpu::make_buffer(device_, "scene", "order", identity);
     in_order_ = true;
   }
   return times;
 }
 
 Prelude Stage::prelude() const {
-  return [this](gpu::Frame& frame, const Targets& targets) {
-    frame.pass("cards", [&](gpu::Pass& pass) {
-      if (!panes_.empty()) {
-        pass.update(cards_, std::span<const shared::Card>(panes_));
-        pass.barrier();
-      }
-      simulation_->record_cards(pass, view_, cards_, uint32_t(panes_.size()));
-    });
-    opaque_.record(frame, targets, view_);
-  };
+  return {.geometry =
+              [this](gpu::Frame& frame, const Targets& targets) {
+                frame.pass("cards", [&](gpu::Pass& pass) {
+                  const std::span<const shared::Card> scalar(scalar_panes_), rgb(rgb_panes_);
+                  pass.update(cards_, scalar);
+                  pass.update(cards_, rgb, scalar.size() + simulation_->cards());
+                  simulation_->record_cards(pass, view_, cards_, uint32_t(scalar_panes_.size()));
+                });
+                opaque_.record_depth(frame, targets, view_);
+              },
+          .opaque = [this](gpu::Frame& frame, const Targets& targets,
+                           const gpu::Image& depth) { opaque_.record_color(frame, targets, depth, view_); }};
 }
 
 std::vector<InstanceDemand> Stage::demand() const {

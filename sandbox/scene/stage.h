@@ -22,7 +22,8 @@ class Stage {
   Prelude prelude() const;
   const Transparents& transparents() const { return transparents_; }
 
-  /// The order in which cards are drawn: a permutation of 0 .. transparents().count - 1. Reset by go_to().
+  /// The order in which cards are drawn: a permutation of 0 .. transparents().count - 1.
+  /// Within each source: sources stay together. Reset by go_to().
   void set_draw_order(const std::vector<uint32_t>& order);
 
   const Scene& scene() const { return scene_; }
@@ -39,7 +40,7 @@ class Stage {
   gpu::Image puffs_;
   OpaqueScene opaque_;
   std::optional<Simulation> simulation_;
-  std::vector<shared::Card> panes_;
+  std::vector<shared::Card> scalar_panes_, rgb_panes_;
   gpu::Buffer view_, cards_, order_;
   uint32_t capacity_ = 0;
   bool in_order_ = false;  ///< order_ is the identity over the whole capacity

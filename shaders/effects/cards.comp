@@ -28,7 +28,7 @@ vec4 curve(uint emitter, uint row, float life) {
 }
 
 Card hidden_card() {
-  return Card(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u));
+  return Card(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u));
 }
 
 // The cloud as a whole is lit too: (share of the sun, share of the sky) that reaches a particle through the others. Clouds are
@@ -43,13 +43,13 @@ uint layers_of(EmitterData e, uint key, uint age, out float blend) {
   blend = 0.0;
   if (e.texture_kind != kTexturePuff) {
     const uint layer = e.texture_kind == kTextureDisc ? kDiscLayer : kSoftLayer;
-    return layer | layer << 16u;
+    return layer | layer << kLayerBits;
   }
   const float frame = random(key, 20u) * float(kPuffFrames) + float(age) * e.frames_per_tick;
   const uint variant = hash(key + 21u) % kPuffVariants;
   const uint now = uint(frame) % kPuffFrames;
   blend = fract(frame);
-  return (variant * kPuffFrames + now) | (variant * kPuffFrames + (now + 1u) % kPuffFrames) << 16u;
+  return (variant * kPuffFrames + now) | (variant * kPuffFrames + (now + 1u) % kPuffFrames) << kLayerBits;
 }
 
 Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
@@ -95,13 +95,14 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
   card.axis_u = u * scale;
   card.inv_feather = e.inv_feather;
   card.axis_v = v * scale;
-  card.layers = layers;
+  card.layers = layers | ((e.flags & kEmitterSetApart) != 0u ? kCardSetApart : 0u);
   card.sunlit = pack_half4(vec4(lit ? color * view.sun_color * reached.x : vec3(0.0), blend));
   card.ambient = pack_half4(vec4(lit ? color * sky * reached.y : color, 0.0));
   card.emission = pack_half4(vec4(curve(emitter, 2u, life).rgb * shape.y, 0.0));
-  card.transmission = uvec2(0u);
+  card.transmission = pack_half4(vec4(e.transmission, 0.0));
   card.light = pack_half4(vec4(dot(view.sun_direction, normalize(u)), dot(view.sun_direction, normalize(v)),
                                -dot(view.sun_direction, view.forward), 0.0));
+  card.motion = pack_half4(vec4(p.velocity * kTick, e.distortion * shape.y));
   return card;
 }
 

@@ -7,6 +7,7 @@
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Solids { SolidData solids[]; };
 
+invariant gl_Position;   // the depth pass and the shading must agree to the bit
 layout(location = 0) out vec3 v_world;
 layout(location = 1) out vec3 v_normal;
 layout(location = 2) flat out uint v_solid;

@@ -13,14 +13,18 @@ struct Card {
   vec3 axis_u;          // half edges, m
   float inv_feather;    // 1/m, z-feather in front of opaque surfaces; 0 = none
   vec3 axis_v;
-  uint layers;  // two texture layers, 16 bits each
+  uint layers;  // two texture layers, 12 bits each, then flags: kCard...
   // Colours are four half floats in two words: see pack_half4.
   uvec2 sunlit;        // rgb radiance when fully lit by the sun; a: blend between the two layers
   uvec2 ambient;       // rgb radiance from everywhere; a: unused
   uvec2 emission;      // rgb radiance added, whatever the coverage; a: unused
   uvec2 transmission;  // rgb share of light that passes where covered; a: unused
   uvec2 light;         // xyz direction to the sun in the card's frame (u, v, towards the camera); a: unused
+  uvec2 motion;        // xyz metres a tick; a: distortion, radians at the mean density and full slope
 };
+
+const uint kLayerBits = 12u;
+const uint kCardSetApart = 1u << 24u;  // of a named layer: its slices are set apart from those around it
 
 PLUME_SHARED_END
 #endif

@@ -59,9 +59,12 @@ struct EmitterData {
   float spin_max;
   float stretch;  // s
   vec3 core;      // world: what counts as the middle of the cloud for its shading
+  vec3 transmission;
+  float distortion;  // radians
 };
 
 const uint kEmitterLit = 1u;
+const uint kEmitterSetApart = 2u;  // of a named layer
 
 // Births first .. first + count - 1 of one emitter. Birth k lives in slot base + k mod capacity.
 struct Span {

@@ -18,14 +18,15 @@ layout(location = 5) flat out vec3 v_light;
 layout(location = 6) flat out uvec3 v_layers_id;     // two layers, card index
 
 layout(push_constant, scalar) uniform Push {
-  uint order_last;   // 0xffffffff, or the index of the last: draw backwards
+  uint order_first;
+  int order_step;   // -1: draw backwards
   vec2 covered;      // share of the target that the picture fills
 };
 
 const vec2 kCorners[6] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
 
 void main() {
-  const uint place = order_last == 0xffffffffu ? gl_InstanceIndex : order_last - gl_InstanceIndex;
+  const uint place = order_first + uint(int(gl_InstanceIndex) * order_step);
   const uint id = order[place];
   const Card card = cards[id];
   if (card.optical_depth <= 0.0 && card.emission == uvec2(0)) {
@@ -42,5 +43,6 @@ void main() {
   v_emission = vec4(unpack_half4(card.emission).rgb, card.inv_feather);
   v_transmission = unpack_half4(card.transmission);
   v_light = unpack_half4(card.light).xyz;
-  v_layers_id = uvec3(card.layers & 0xffffu, card.layers >> 16, id);
+  const uint layer_mask = (1u << kLayerBits) - 1u;
+  v_layers_id = uvec3(card.layers & layer_mask, (card.layers >> kLayerBits) & layer_mask, id);
 }
