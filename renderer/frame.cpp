@@ -47,7 +47,7 @@ FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const T
   FrameReport report;
   for (;; ++report.redraws) {
     Method& method = *instance.method;
-    const Needs needs = method.needs(targets.size, transparents.count);
+    const Needs needs = method.needs(targets.size, transparents);
     instance.resources.fit(device, instance.owner, needs, targets.size);
 
     gpu::Frame frame(device, pipelines);

@@ -80,8 +80,8 @@ class Method {
   virtual void visit(ParameterVisitor&) {}
   /// Names of what the device lacks for this method; empty when it can run.
   virtual std::vector<std::string> missing(const gpu::Device&) const { return {}; }
-  /// What it needs for a picture of `size` with so many cards.
-  virtual Needs needs(glm::uvec2 size, uint32_t cards) const = 0;
+  /// What it needs for a picture of `size` of these transparent things.
+  virtual Needs needs(glm::uvec2 size, const Transparents& transparents) const = 0;
   /// Records what can be done before opaque things are shaded; gives the depth that hides some of them.
   virtual const gpu::Image& prepare(const Picture& picture) { return picture.opaque_depth; }
   virtual void record(const Picture& picture) = 0;

@@ -6,6 +6,7 @@
   X(reference)           \
   X(sorted)              \
   X(wboit)               \
+  X(vboit)              \
   X(avboit)
 
 namespace plume {

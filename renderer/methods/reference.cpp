@@ -21,7 +21,7 @@ class Reference final : public Method {
             .limits = "memory grows with the number of fragments; slow"};
   }
 
-  Needs needs(glm::uvec2 size, uint32_t) const override {
+  Needs needs(glm::uvec2 size, const Transparents&) const override {
     return {.images = {},
             .buffers = {
                 {.name = "heads", .bytes = uint64_t(size.x) * size.y * 4, .clear = shared::kListEnd},

@@ -18,7 +18,8 @@ class Sorted final : public Method {
                 "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer"};
   }
 
-  Needs needs(glm::uvec2, uint32_t cards) const override {
+  Needs needs(glm::uvec2, const Transparents& transparents) const override {
+    const uint32_t cards = transparents.count;
     const uint64_t count = std::max(cards, 1u);
     return {.images = {},
             .buffers = {{.name = "pairs", .bytes = count * 8, .clear = {}},

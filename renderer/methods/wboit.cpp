@@ -32,7 +32,7 @@ class Wboit final : public Method {
                     .help = "the paper's depth units per metre: tunes the weight to the scene"});
   }
 
-  Needs needs(glm::uvec2, uint32_t) const override {
+  Needs needs(glm::uvec2, const Transparents&) const override {
     return {
         .images = {{.name = "accum", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage},
                    {.name = "revealage", .format = vk::Format::eR16Sfloat, .usage = kTargetUsage},

@@ -1,48 +1,57 @@
-// AVBOIT, splat: optical depth of each fragment into the extinction volume, shared linearly between slices Z and Z + 1.
-// Four slices are 8-bit fields of one word, ordered along the ray, so that a carry only touches what lies behind. atomicAdd
-// returns the old word: the add that passes 255 knows it and keeps the first overflowing slice; behind it T = 0.
-// Limits: the quantum is ln 255 / 255 = 0.0217; shares below half of it round to nothing.
+// AVBOIT, splat of scalar sources: the optical depth of each fragment into the packed fields of its ray. How a field that
+// overflows is met (kOverflow):
+//   ignored: the carry falsifies the slices behind;  compare-exchange: the field saturates, in a loop;
+//   first overflow: atomicAdd returns the old word, so the add that passes the field knows it and the first such slice is kept;
+//   behind it T = 0, so that carries do not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "surface/shade.glsl"
-#include "methods/avboit/curve.glsl"
+#include "methods/avboit/splat_surface.glsl"
 
-layout(scalar, binding = 8) uniform VolumeBlock { Volume volume; };
-layout(scalar, binding = 9) buffer Extinction { uint extinction[]; };
-layout(scalar, binding = 10) buffer Overflow { uint overflow[]; };
+layout(constant_id = 3) const uint kLaneBits = 16u;
+layout(constant_id = 4) const uint kOverflow = 2u;   // 0 ignored, 1 compare-exchange, 2 first overflow
+layout(scalar, binding = 10) buffer Extinction { uint extinction[]; };
+layout(scalar, binding = 11) buffer Overflow { uint overflow[]; };
 
-uint quantise(float tau) { return uint(clamp(tau / kLog255, 0.0, 1.0) * 255.0 + 0.5); }
+const uint kLanes = 32u / kLaneBits;
 
-void note_overflow(uint ray, uint slice, uint old_word, uint added) {
-  const uint field = (old_word >> (8u * (slice & 3u))) & 255u;
-  if (field + added > 255u) atomicMin(overflow[ray], slice);
+uint field_of(uint word, uint slice) { return (word >> (kLaneBits * (slice % kLanes))) & full_field(kLaneBits); }
+uint field_at(uint value, uint slice) { return value << (kLaneBits * (slice % kLanes)); }
+
+void note_overflow(uint slice, uint old_word, uint added) {
+  if (kOverflow == 2u && field_of(old_word, slice) + added > full_field(kLaneBits)) atomicMin(overflow[ray_index()], slice);
+}
+
+void add_saturating(uint index, uint slice, uint added) {
+  uint expected = 0u;
+  for (;;) {
+    const uint old = field_of(expected, slice);
+    const uint sum = min(old + added, full_field(kLaneBits));
+    const uint found = atomicCompSwap(extinction[index], expected, expected + field_at(sum - old, slice));
+    if (found == expected) return;
+    expected = found;
+  }
 }
 
 void main() {
-  const float here = texelFetch(opaque_depth, ivec2(gl_FragCoord.xy), 0).r;
-  const float depth = v_uv_depth.z;
-  if (depth * here > view.near_m) return;   // behind the farthest opaque surface of the cell
-  const float through = 1.0 - coverage_of(density(puff_texel())) * (1.0 - dot(v_transmission.rgb, vec3(1.0 / 3.0)));
+  if (hidden()) return;
+  const float through = 1.0 - coverage_of(cell_density()) * (1.0 - dot(v_transmission.rgb, vec3(1.0 / 3.0)));
   const float tau = -log(max(through, kLeastTransmittance));
-  const float position = slice_of(volume, depth);
-  const uint slice = uint(position);
-  const float share = position - float(slice);
-  const uint near = quantise(tau * (1.0 - share)), far = quantise(tau * share);
+  const Place place = place_of(v_uv_depth.z);
+  const uint here = quantise(tau * (1.0 - place.beyond), kLaneBits, rounding(0u));
+  const uint beyond = place.beyond > 0.0 ? quantise(tau * place.beyond, kLaneBits, rounding(1u)) : 0u;
 
-  const uvec2 cell = uvec2(gl_FragCoord.xy);
-  const uint ray = cell.y * volume.cells.x + cell.x;
-  const uint words = volume.slices / 4u;
-  const uint word = ray * words + slice / 4u;
-  const uint lane = slice & 3u;
-  if (lane < 3u) {   // both slices lie in one word
-    const uint added = near << (8u * lane) | far << (8u * (lane + 1u));
+  const uint first = ray_index() * (volume.slices / kLanes) + place.slice / kLanes, next = place.slice + 1u;
+  if (kOverflow == 1u) {
+    if (here != 0u) add_saturating(first, place.slice, here);
+    if (beyond != 0u) add_saturating(first + (next % kLanes == 0u ? 1u : 0u), next, beyond);
+  } else if (next % kLanes != 0u) {   // both slices lie in one word
+    const uint added = field_at(here, place.slice) + field_at(beyond, next);
     if (added == 0u) return;
-    const uint old_word = atomicAdd(extinction[word], added);
-    note_overflow(ray, slice, old_word, near);
-    note_overflow(ray, slice + 1u, old_word, far);
+    const uint old_word = atomicAdd(extinction[first], added);
+    note_overflow(place.slice, old_word, here);
+    note_overflow(next, old_word, beyond);
   } else {
-    if (near != 0u) note_overflow(ray, slice, atomicAdd(extinction[word], near << 24u), near);
-    if (far != 0u && slice + 1u < volume.slices)
-      note_overflow(ray, slice + 1u, atomicAdd(extinction[word + 1u], far), far);
+    if (here != 0u) note_overflow(place.slice, atomicAdd(extinction[first], field_at(here, place.slice)), here);
+    if (beyond != 0u) note_overflow(next, atomicAdd(extinction[first + 1u], beyond), beyond);
   }
 }

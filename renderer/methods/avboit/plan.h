@@ -1,0 +1,52 @@
+// One frame of AVBOIT: its settings and what follows from them for a picture and what is drawn in it. Each stage
+// is a file that declares what it needs and records its passes.
+#ifndef PLUME_AVBOIT_PLAN_H
+#define PLUME_AVBOIT_PLAN_H
+
+#include "renderer/methods/avboit/settings.h"
+#include "renderer/methods/method.h"
+#include "shaders/methods/avboit/volume.h"
+
+namespace plume::avboit {
+
+struct Plan {
+  Plan(const Settings& settings, glm::uvec2 size, const Transparents& transparents);
+
+  Settings settings;
+  glm::uvec2 size;  ///< of the picture
+  shared::Volume volume;
+  bool rgb;  ///< RGB sources are there and keep extinction for each channel
+
+  uint64_t rays() const { return uint64_t(volume.cells.x) * volume.cells.y; }
+  uint64_t tiles() const { return uint64_t(volume.tiles.x) * volume.tiles.y; }
+  uint32_t rgb_words() const { return !rgb ? 0 : settings.rgb_splat == RgbSplat::kPacked10 ? 1 : 3; }
+};
+
+void add_depth_warp_needs(Needs& needs, const Plan& plan);
+/// coverage, adapt: which virtual slices are occupied, and the table from depth to physical slice.
+void record_depth_warp(const Picture& picture, const Plan& plan);
+
+void add_occupancy_needs(Needs& needs, const Plan& plan);
+/// occupancy, clear: which slices of which tiles are occupied, and zero extinction there.
+void record_occupancy(const Picture& picture, const Plan& plan);
+
+void add_splat_needs(Needs& needs, const Plan& plan);
+/// farthest, splat: optical depth of every card into the volume.
+void record_splat(const Picture& picture, const Plan& plan);
+
+void add_integrate_needs(Needs& needs, const Plan& plan);
+/// integrate: extinction summed along every ray.
+void record_integrate(const Picture& picture, const Plan& plan);
+
+void add_zero_depth_needs(Needs& needs, const Plan& plan);
+/// zero_depth: the depth behind which nothing is seen, into a depth image of its own.
+void record_zero_depth(const Picture& picture, const Plan& plan);
+/// What transparent draws are tested against.
+const gpu::Image& visible_depth(const Picture& picture, const Plan& plan);
+
+void add_accumulate_needs(Needs& needs, const Plan& plan);
+/// draw, resolve: every fragment weighted by its transmittance, and the final image.
+void record_accumulate(const Picture& picture, const Plan& plan);
+
+}  // namespace plume::avboit
+#endif

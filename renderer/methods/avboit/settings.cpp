@@ -1,0 +1,111 @@
+#include "renderer/methods/avboit/settings.h"
+
+#include <bit>
+#include <cmath>
+
+#include "shaders/methods/avboit/volume.h"
+
+namespace plume::avboit {
+namespace {
+
+constexpr std::string_view kResolutions[] = {"1/2", "1/4", "1/8"};
+constexpr uint32_t kDivisors[] = {2, 4, 8};
+constexpr std::string_view kSliceNames[] = {"32", "64", "128", "256"};
+constexpr uint32_t kSliceCounts[] = {32, 64, 128, 256};
+constexpr std::string_view kVirtualNames[] = {"1024", "2048", "4096", "8192", "16384", "32768"};
+constexpr uint32_t kLeastVirtualChoice = 1024;
+constexpr std::string_view kSplats[] = {"packed8",  "packed8_exchange", "packed8_overflow",
+                                        "packed16", "words32",          "raster"};
+constexpr std::string_view kRgbSplats[] = {"packed10", "words32"};
+constexpr std::string_view kSamples[] = {"1", "4"};
+constexpr std::string_view kSamplings[] = {"point", "linear", "quadratic", "cubic", "self_excluded"};
+constexpr std::string_view kColours[] = {"mono", "total_extinction", "skew", "first_event", "rgb"};
+constexpr std::string_view kAccumulations[] = {"11_11_10", "16f", "32f"};
+constexpr std::string_view kZeroDepths[] = {"off", "quads", "fullscreen"};
+
+template <class Enum>
+void choice(ParameterVisitor& visitor, std::string_view name, Enum& value,
+            std::span<const std::string_view> options, std::string_view help) {
+  int index = int(value);
+  visitor.choice(name, index, options, help);
+  value = Enum(index);
+}
+
+}  // namespace
+
+void Settings::visit(ParameterVisitor& visitor) {
+  visitor.choice("resolution", resolution, kResolutions,
+                 "of the volume across the picture: finer silhouettes, for splat time and memory");
+  visitor.choice("slices", slices, kSliceNames,
+                 "along a ray: more separate closer layers, for memory and integration time");
+  visitor.number("curve_a", curve_a,
+                 {.min = 0.01,
+                  .max = 10000.0,
+                  .unit = "m",
+                  .help = "depth up to which slices are about equally thick"});
+  visitor.number(
+      "curve_b", curve_b,
+      {.min = 1.0, .max = 100000.0, .unit = "m", .help = "depth of the last slice; farther is in it"});
+  if (adaptive) {
+    visitor.choice("virtual_slices", virtual_slices, kVirtualNames,
+                   "at which adaptation starts: more keep thin ranges finer");
+    visitor.number("slice_thickness", slice_thickness,
+                   {.min = 0.0,
+                    .max = 10.0,
+                    .unit = "m",
+                    .help = "asks for virtual slices this thin instead, up to thickness_range; 0 = do not ask"});
+    visitor.number("thickness_range", thickness_range,
+                   {.min = 0.1, .max = 10000.0, .unit = "m", .help = "depth up to which it is asked for"});
+  }
+  choice(visitor, "splat", splat, kSplats,
+         "how optical depth of scalar sources is stored: more bits keep thin smoke, fewer take less memory");
+  choice(visitor, "rgb_splat", rgb_splat, kRgbSplats,
+         "the same of RGB sources: packed carries into the next channel after four saturated events");
+  visitor.toggle("linear_splat", linear_splat, "shares optical depth between two slices: smooth over depth");
+  visitor.toggle("dither", dither, "rounds optical depth at random, unbiased: thin smoke does not vanish");
+  visitor.choice("samples", samples, kSamples,
+                 "of a card's texture in a cell: four alias less at silhouettes and small cards");
+  visitor.toggle("sparse", sparse, "clears and integrates occupied slices only");
+  choice(visitor, "sampling", sampling, kSamplings,
+         "how the integral is read: biased in front of the fragment, or at it without its own share");
+  visitor.number("bias", bias,
+                 {.min = 0.0,
+                  .max = 8.0,
+                  .unit = "slices",
+                  .help = "of biased samplings: less self-occludes, more misses what is close in front; the "
+                          "talk takes 2 for linear, 2.5 for quadratic and cubic"});
+  visitor.toggle("eight_bits", eight_bits, "biased samplings read transmittance in 8 bits, as the talk stores it");
+  choice(visitor, "colour", colour, kColours,
+         "what coloured glass does to what lies behind it: cheaper modes tint the wrong things");
+  visitor.toggle("normalise", normalise,
+                 "scales the sum so that coverage adds up exactly, for one more target");
+  choice(visitor, "accumulation", accumulation, kAccumulations, "format of the sums: rounding for bandwidth");
+  choice(visitor, "zero_depth", zero_depth, kZeroDepths,
+         "does not draw what lies behind opaque smoke: tile quads, or every pixel's depth to compare");
+  visitor.number("zero_transmittance", zero_transmittance,
+                 {.min = 1e-6, .max = 0.1, .unit = "", .help = "below this nothing behind is drawn"});
+  visitor.toggle("cull_opaque", cull_opaque, "does not shade opaque things behind opaque smoke either");
+}
+
+uint32_t Settings::divisor() const {
+  return kDivisors[resolution];
+}
+
+uint32_t Settings::slice_count() const {
+  return kSliceCounts[slices];
+}
+
+uint32_t Settings::virtual_slice_count() const {
+  if (slice_thickness <= 0.0f) return kLeastVirtualChoice << virtual_slices;
+  // A slice at z is (a + z) ln(1 + b / a) / n thick.
+  const double n =
+      (curve_a + thickness_range) * std::log1p(double(curve_b) / curve_a) / double(slice_thickness);
+  return std::clamp(std::bit_ceil(uint32_t(std::min(std::ceil(n), 1e6))), shared::kMostSlices,
+                    shared::kMostVirtualSlices);
+}
+
+uint32_t Settings::lane_bits() const {
+  return splat == Splat::kWords32 ? 32 : splat == Splat::kPacked16Overflow ? 16 : 8;
+}
+
+}  // namespace plume::avboit

@@ -1,0 +1,78 @@
+#include "renderer/methods/avboit/plan.h"
+
+namespace plume::avboit {
+namespace {
+
+uint32_t overflow_handling(Splat splat) {
+  switch (splat) {
+    case Splat::kPacked8Exchange:
+      return 1;
+    case Splat::kPacked8Overflow:
+    case Splat::kPacked16Overflow:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+void add_splat_needs(Needs& needs, const Plan& plan) {
+  const uint64_t rays = plan.rays();
+  needs.images.push_back({.name = "farthest",
+                          .format = vk::Format::eR32Sfloat,
+                          .usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled,
+                          .divisor = plan.volume.divisor});
+  needs.buffers.push_back({.name = "extinction",
+                           .bytes = rays * plan.volume.slices * plan.settings.lane_bits() / 8,
+                           .clear = {}});
+  needs.buffers.push_back({.name = "overflow", .bytes = rays * 4, .clear = shared::kNoOverflow});
+  // A descriptor needs something to point at where there are no RGB sources.
+  needs.buffers.push_back(
+      {.name = "extinction_rgb",
+       .bytes = std::max<uint64_t>(rays * plan.volume.slices * plan.rgb_words() * 4, 4),
+       .clear = {}});
+  needs.buffers.push_back({.name = "overflow_rgb",
+                           .bytes = plan.rgb_words() == 1 ? rays * 16 : 4,
+                           .clear = shared::kNoOverflow});
+}
+
+void record_splat(const Picture& picture, const Plan& plan) {
+  const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+  const shared::Volume& v = plan.volume;
+  const gpu::Image& farthest = picture.resources.image("farthest");
+  const gpu::Binding volume{"VolumeBlock", buffer("volume")}, warp{"WarpTable", buffer("warp")};
+
+  picture.frame.pass("farthest", [&](gpu::Pass& pass) {
+    pass.dispatch(pass.pipelines().compute("methods/avboit/farthest.comp"),
+                  {volume, {"opaque_depth", &picture.opaque_depth}, {"farthest", &farthest}}, 0u,
+                  {gpu::groups(v.cells.x, 8), gpu::groups(v.cells.y, 8), 1});
+  });
+
+  const gpu::Constants common{plan.settings.linear_splat ? 1u : 0u, plan.settings.samples == 0 ? 1u : 4u,
+                              plan.settings.dither ? 1u : 0u};
+  const auto draw = [&](gpu::Pass& pass, const char* fragment, std::optional<Source> source,
+                        std::vector<uint32_t> own_constants, gpu::Bindings own_bindings) {
+    gpu::Constants constants = common;
+    constants.insert(constants.end(), own_constants.begin(), own_constants.end());
+    own_bindings.insert(own_bindings.end(), {volume, warp});
+    picture.transparents.draw(pass, {.fragment = fragment,
+                                     .targets = {},
+                                     .opaque_depth = &farthest,
+                                     .area = {v.cells.x, v.cells.y},
+                                     .source = source,
+                                     .constants = std::move(constants),
+                                     .bindings = std::move(own_bindings),
+                                     .covered = glm::vec2(plan.size) / glm::vec2(v.cells * v.divisor)});
+  };
+  picture.frame.pass("splat", [&](gpu::Pass& pass) {
+    draw(pass, "methods/avboit/splat.frag", plan.rgb ? std::optional(Source::kScalar) : std::nullopt,
+         {plan.settings.lane_bits(), overflow_handling(plan.settings.splat)},
+         {{"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}});
+    if (plan.rgb)
+      draw(pass, "methods/avboit/splat_rgb.frag", Source::kRgb, {plan.rgb_words() == 1 ? 1u : 0u},
+           {{"ExtinctionRgb", buffer("extinction_rgb")}, {"OverflowRgb", buffer("overflow_rgb")}});
+  });
+}
+
+}  // namespace plume::avboit

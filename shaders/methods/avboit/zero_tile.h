@@ -1,0 +1,24 @@
+// Tiles of the picture behind whose depth nothing is seen, and the indirect draw of them.
+#ifndef PLUME_AVBOIT_ZERO_TILE_H
+#define PLUME_AVBOIT_ZERO_TILE_H
+
+#include "shared/types.h"
+
+PLUME_SHARED_BEGIN
+
+const uint kZeroTilePixels = 16u;  // each way: whole quads keep depth compression and hierarchical depth (the talk)
+
+struct ZeroTile {
+  uvec2 tile;
+  float depth;  // reversed: near_m / view depth
+};
+
+struct ZeroDraw {  // VkDrawIndirectCommand
+  uint vertices;
+  uint instances;
+  uint first_vertex;
+  uint first_instance;
+};
+
+PLUME_SHARED_END
+#endif
