@@ -39,6 +39,8 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
              .bindings = std::move(bindings),
              .vertices = 6,
              .instances = number_drawn,
+             .indirect = style.indirect,
+             .indirect_index = style.indirect_index,
              .count_fragments = style.count_fragments},
             CardPush{.order_first = style.backwards && number_drawn > 0 ? begin + number_drawn - 1 : begin,
                      .order_step = style.backwards ? -1 : 1,

@@ -45,6 +45,8 @@ struct Transparents {
     gpu::Constants constants;
     gpu::Bindings bindings;              ///< the method's own, bindings 8 and up
     const gpu::Buffer* order = nullptr;  ///< of all cards, instead of the order of submission
+    const gpu::Buffer* indirect = nullptr;  ///< which of `order`, instead of `source`
+    uint32_t indirect_index = 0;
     bool count_fragments = false;
     bool backwards = false;   ///< last of the order first
     glm::vec2 covered{1.0f};  ///< share of `area` that the picture fills, when cells do not divide it

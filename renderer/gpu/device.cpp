@@ -29,6 +29,7 @@ constexpr FeatureName<vk::PhysicalDeviceFeatures> kCoreFeatures[] = {
     PLUME_FEATURE(PhysicalDeviceFeatures, independentBlend),
     PLUME_FEATURE(PhysicalDeviceFeatures, dualSrcBlend),
     PLUME_FEATURE(PhysicalDeviceFeatures, occlusionQueryPrecise),
+    PLUME_FEATURE(PhysicalDeviceFeatures, drawIndirectFirstInstance),
     PLUME_FEATURE(PhysicalDeviceFeatures, shaderStorageImageExtendedFormats),
 };
 constexpr FeatureName<vk::PhysicalDeviceVulkan12Features> kVulkan12Features[] = {

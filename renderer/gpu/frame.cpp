@@ -107,7 +107,8 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
     commands_.beginQuery(counters_, counters_used_, vk::QueryControlFlagBits::ePrecise);
   }
   if (draw.indirect)
-    commands_.drawIndirect(draw.indirect->vk(), 0, 1, sizeof(vk::DrawIndirectCommand));
+    commands_.drawIndirect(draw.indirect->vk(), draw.indirect_index * sizeof(vk::DrawIndirectCommand), 1,
+                           sizeof(vk::DrawIndirectCommand));
   else if (draw.vertices > 0 && draw.instances > 0)
     commands_.draw(draw.vertices, draw.instances, 0, 0);
   if (draw.count_fragments) commands_.endQuery(counters_, counters_used_++);

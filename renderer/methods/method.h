@@ -24,6 +24,7 @@ struct ImageNeed {
   vk::ImageUsageFlags usage;
   uint32_t divisor = 1;  ///< of the picture's size, rounded up
   uint32_t depth = 1;    ///< slices of a 3-D image
+  uint32_t layers = 0;   ///< of an array; 0: a plain image
 };
 struct BufferNeed {
   std::string name;

@@ -1,48 +1,6 @@
-// The vertex shader of every transparent draw: six vertices a card, pulled from the card buffer in the given order.
+// The vertex shader of transparent draws.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shared/card.h"
-#include "shared/half.glsl"
-#include "shared/view.h"
+#include "surface/card.glsl"
 
-layout(scalar, binding = 0) uniform View { ViewData view; };
-layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
-
-layout(location = 0) out vec3 v_uv_depth;
-layout(location = 1) flat out vec4 v_sunlit;         // rgb, a: layer blend
-layout(location = 2) flat out vec4 v_ambient;        // rgb, a: optical depth
-layout(location = 3) flat out vec4 v_emission;       // rgb, a: 1 / feather
-layout(location = 4) flat out vec4 v_transmission;   // rgb, a: unused
-layout(location = 5) flat out vec3 v_light;
-layout(location = 6) flat out uvec3 v_layers_id;     // two layers, card index
-
-layout(push_constant, scalar) uniform Push {
-  uint order_first;
-  int order_step;   // -1: draw backwards
-  vec2 covered;      // share of the target that the picture fills
-};
-
-const vec2 kCorners[6] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
-
-void main() {
-  const uint place = order_first + uint(int(gl_InstanceIndex) * order_step);
-  const uint id = order[place];
-  const Card card = cards[id];
-  if (card.optical_depth <= 0.0 && card.emission == uvec2(0)) {
-    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);   // in front of everything that is drawn: clipped
-    return;
-  }
-  const vec2 uv = kCorners[gl_VertexIndex];
-  const vec3 world = card.center + card.axis_u * uv.x + card.axis_v * uv.y;
-  gl_Position = view.view_projection * vec4(world, 1.0);
-  gl_Position.xy = (gl_Position.xy + gl_Position.w) * covered - gl_Position.w;
-  v_uv_depth = vec3(uv, dot(world - view.camera, view.forward));
-  v_sunlit = unpack_half4(card.sunlit);
-  v_ambient = vec4(unpack_half4(card.ambient).rgb, card.optical_depth);
-  v_emission = vec4(unpack_half4(card.emission).rgb, card.inv_feather);
-  v_transmission = unpack_half4(card.transmission);
-  v_light = unpack_half4(card.light).xyz;
-  const uint layer_mask = (1u << kLayerBits) - 1u;
-  v_layers_id = uvec3(card.layers & layer_mask, (card.layers >> kLayerBits) & layer_mask, id);
-}
+void main() { card_vertex(); }

@@ -56,6 +56,7 @@ vec3 transmittance(Fragment f) { return 1.0 - f.coverage * (1.0 - f.transmission
 Fragment shade() {
   const vec4 texel = puff_texel();
   const float density_here = density(texel);
+  if (density_here <= 0.0) discard;   // the corners of a puff: nothing is left to do
   const vec2 slope = texel.gb * 2.0 - 1.0;
   const vec3 normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
   const float wrap = clamp(dot(normal, v_light) * 0.5 + 0.5, 0.0, 1.0);

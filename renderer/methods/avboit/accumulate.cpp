@@ -20,47 +20,59 @@ vk::Format sum_format(Accumulation accumulation) {
 void add_accumulate_needs(Needs& needs, const Plan& plan) {
   const vk::Format format = sum_format(plan.settings.accumulation);
   needs.images.push_back({.name = "light", .format = format, .usage = kTargetUsage});
-  needs.images.push_back({.name = "norm", .format = format, .usage = kTargetUsage});
-  needs.images.push_back({.name = "through", .format = format, .usage = kTargetUsage});
+  needs.images.push_back({.name = "norm", .format = vk::Format::eR16Sfloat, .usage = kTargetUsage});
+  const uint32_t divisor = plan.rgb_divisor(1);
+  needs.images.push_back({.name = "norm_rgb", .format = format, .usage = kTargetUsage, .divisor = divisor});
+  needs.images.push_back({.name = "through", .format = format, .usage = kTargetUsage, .divisor = divisor});
 }
 
 void record_accumulate(const Picture& picture, const Plan& plan) {
   const auto image = [&](const char* name) { return &picture.resources.image(name); };
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
-  constexpr std::array<float, 4> kNothing{0, 0, 0, 1}, kZero{0, 0, 0, 0}, kOne{1, 1, 1, 1};
   const Settings& s = plan.settings;
 
-  const auto draw = [&](gpu::Pass& pass, Source source, bool first) {
-    const bool rgb = source == Source::kRgb;
-    const auto clear = [&](const std::array<float, 4>& color) { return first ? std::optional(color) : std::nullopt; };
+  const auto draw = [&](gpu::Pass& pass, uint32_t card_class) {
+    const bool tilted = card_class & shared::kClassTilted, rgb = card_class & shared::kClassRgb,
+               behind_rgb = card_class & shared::kClassBehindRgb;
     std::vector<gpu::Attachment> targets{
-        {.image = image("light"), .blend = gpu::Blend::kAddMultiplyAlpha, .clear = clear(kNothing)}};
+        {.image = image("light"), .blend = gpu::Blend::kAddMultiplyAlpha, .clear = {}}};
     if (s.normalise)
-      targets.push_back({.image = image("norm"), .blend = gpu::Blend::kAdd, .clear = clear(kZero)});
-    if (rgb) targets.push_back({.image = image("through"), .blend = gpu::Blend::kMultiply, .clear = kOne});
-    picture.transparents.draw(
-        pass, {.fragment = "methods/avboit/accumulate.frag",
-               .targets = std::move(targets),
-               .depth_test = &visible_depth(picture, plan),
-               .opaque_depth = &picture.opaque_depth,
-               .area = picture.area(),
-               .source = source,
-               .constants = {uint32_t(s.sampling), plan.rgb ? 1u : 0u, s.linear_splat ? 1u : 0u, rgb ? 1u : 0u},
-               .bindings = {{"VolumeBlock", buffer("volume")},
-                            {"WarpTable", buffer("warp")},
-                            {"Integral", buffer("integral")},
-                            {"IntegralRgb", buffer("integral_rgb")},
-                            {"RgbStart", buffer("rgb_start")}},
-               .count_fragments = true});
+      targets.push_back({.image = image(behind_rgb ? "norm_rgb" : "norm"), .blend = gpu::Blend::kAdd, .clear = {}});
+    if (rgb) targets.push_back({.image = image("through"), .blend = gpu::Blend::kMultiply, .clear = {}});
+    picture.transparents.draw(pass, {.fragment = "methods/avboit/accumulate.frag",
+                                     .targets = std::move(targets),
+                                     .depth_test = &visible_depth(picture, plan),
+                                     .opaque_depth = &picture.opaque_depth,
+                                     .area = picture.area(),
+                                     .vertex = "methods/avboit/card_at_slice.vert",
+                                     .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u,
+                                                   behind_rgb ? 1u : 0u, rgb ? 1u : 0u, tilted ? 1u : 0u},
+                                     .bindings = {{"VolumeBlock", buffer("volume")},
+                                                  {"WarpTable", buffer("warp")},
+                                                  {"integral", image("integral")},
+                                                  {"integral_rg", image("integral_rg")},
+                                                  {"integral_b", image("integral_b")}},
+                                     .order = buffer("class_order"),
+                                     .indirect = buffer("class_draws"),
+                                     .indirect_index = card_class,
+                                     .count_fragments = true});
   };
   picture.frame.pass("draw", [&](gpu::Pass& pass) {
-    draw(pass, Source::kScalar, true);
-    draw(pass, Source::kRgb, false);
+    pass.clear(*image("light"), {0, 0, 0, 1});
+    pass.clear(*image("norm"), {0, 0, 0, 0});
+    pass.clear(*image("norm_rgb"), {0, 0, 0, 0});
+    pass.clear(*image("through"), {1, 1, 1, 1});
+    pass.barrier();
+    for (uint32_t c = 0; c < shared::kDrawnClasses; ++c) {
+      const bool possible = !(c & shared::kClassRgb) || (c & shared::kClassBehindRgb);
+      if (possible && (plan.rgb || !(c & shared::kClassBehindRgb))) draw(pass, c);
+    }
   });
   picture.frame.pass("resolve", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/resolve.comp", {s.normalise ? 1u : 0u}),
+    pass.dispatch(pass.pipelines().compute("methods/avboit/resolve.comp", {s.normalise ? 1u : 0u, plan.rgb ? 1u : 0u}),
                   {{"light", image("light")},
                    {"norm", image("norm")},
+                   {"norm_rgb", image("norm_rgb")},
                    {"through", image("through")},
                    {"opaque_color", &picture.opaque_color},
                    {"result", &picture.result}},

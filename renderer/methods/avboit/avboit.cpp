@@ -29,7 +29,7 @@ class Avboit final : public Method {
     const Plan plan(settings_, size, transparents);
     Needs needs;
     for (const auto add : {add_depth_warp_needs, add_occupancy_needs, add_splat_needs, add_integrate_needs,
-                           add_zero_depth_needs, add_accumulate_needs})
+                           add_zero_depth_needs, add_classify_needs, add_accumulate_needs})
       add(needs, plan);
     return needs;
   }
@@ -42,6 +42,7 @@ class Avboit final : public Method {
     record_splat(picture, plan);
     record_integrate(picture, plan);
     record_zero_depth(picture, plan);
+    record_classify(picture, plan);
     return settings_.cull_opaque ? visible_depth(picture, plan) : picture.opaque_depth;
   }
 

@@ -3,9 +3,19 @@
 namespace plume::avboit {
 
 void add_integrate_needs(Needs& needs, const Plan& plan) {
-  const uint64_t rays = plan.rays(), nodes = rays * plan.volume.slices;
-  needs.buffers.push_back({.name = "integral", .bytes = nodes * 4, .clear = {}});
-  needs.buffers.push_back({.name = "integral_rgb", .bytes = plan.rgb ? nodes * 12 : 4, .clear = {}});
+  const uint64_t rays = plan.rays();
+  const uint32_t divisor = plan.volume.divisor, slices = plan.volume.slices;
+  constexpr auto usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled;
+  const auto add = [&](const char* name, vk::Format format, bool wanted) {
+    needs.images.push_back({.name = name,
+                            .format = format,
+                            .usage = usage,
+                            .divisor = wanted ? divisor : plan.rgb_divisor(divisor),
+                            .layers = wanted ? slices : 1});
+  };
+  add("integral", vk::Format::eR16G16Sfloat, true);
+  add("integral_rg", vk::Format::eR16G16B16A16Sfloat, plan.rgb);
+  add("integral_b", vk::Format::eR16G16Sfloat, plan.rgb);
   needs.buffers.push_back({.name = "zero_slice", .bytes = rays * 4, .clear = {}});
   needs.buffers.push_back({.name = "rgb_start", .bytes = plan.tiles() * 4, .clear = {}});
 }
@@ -26,8 +36,9 @@ void record_integrate(const Picture& picture, const Plan& plan) {
          {"Overflow", buffer("overflow")},
          {"ExtinctionRgb", buffer("extinction_rgb")},
          {"OverflowRgb", buffer("overflow_rgb")},
-         {"Integral", buffer("integral")},
-         {"IntegralRgb", buffer("integral_rgb")},
+         {"integral", &picture.resources.image("integral")},
+         {"integral_rg", &picture.resources.image("integral_rg")},
+         {"integral_b", &picture.resources.image("integral_b")},
          {"ZeroSlice", buffer("zero_slice")},
          {"RgbStart", buffer("rgb_start")}},
         0u, {plan.volume.tiles.x, plan.volume.tiles.y, 1});

@@ -5,6 +5,7 @@
 
 #include "renderer/methods/avboit/settings.h"
 #include "renderer/methods/method.h"
+#include "shaders/methods/avboit/card_class.h"
 #include "shaders/methods/avboit/volume.h"
 
 namespace plume::avboit {
@@ -19,6 +20,8 @@ struct Plan {
 
   uint64_t rays() const { return uint64_t(volume.cells.x) * volume.cells.y; }
   uint64_t tiles() const { return uint64_t(volume.tiles.x) * volume.tiles.y; }
+  /// Divisor of images that only RGB sources need: without them they are one texel.
+  uint32_t rgb_divisor(uint32_t divisor) const { return rgb ? divisor : 1u << 16; }
   uint32_t rgb_words() const { return !rgb ? 0 : settings.rgb_splat == RgbSplat::kPacked10 ? 1 : 3; }
 };
 
@@ -43,6 +46,10 @@ void add_zero_depth_needs(Needs& needs, const Plan& plan);
 void record_zero_depth(const Picture& picture, const Plan& plan);
 /// What transparent draws are tested against.
 const gpu::Image& visible_depth(const Picture& picture, const Plan& plan);
+
+void add_classify_needs(Needs& needs, const Plan& plan);
+/// classify: cards sorted into draws by what drawing them has to do.
+void record_classify(const Picture& picture, const Plan& plan);
 
 void add_accumulate_needs(Needs& needs, const Plan& plan);
 /// draw, resolve: every fragment weighted by its transmittance, and the final image.

@@ -1,9 +1,10 @@
-// AVBOIT, integrate: sums extinction along each ray. Where a slice s is occupied, word s of the integral holds the value in front of
-// it and behind it as two half floats, so one load serves the interpolation inside it:
+// AVBOIT, integrate: sums extinction along each ray. Where a slice s is occupied, layer s of the integral holds the value in front of
+// it and behind it, so that one fetch, filtered across cells, serves the interpolation inside it:
 //   tau(s) = sum_{k < s} tau_k   (what self-excluded sampling reads),   or   T(s) = exp(-tau(s))   (what biased samplings read).
 // From the first overflowing slice on T = 0. The first slice behind which less than the zero transmittance is left is recorded.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_shader_image_load_formatted : require
 #include "methods/avboit/occupied.glsl"
 #include "methods/avboit/fields.glsl"
 
@@ -14,13 +15,14 @@ layout(constant_id = 3) const uint kTransmittance = 0u;    // stored instead of 
 layout(constant_id = 4) const uint kEightBits = 0u;        // transmittance rounded as an 8-bit image would
 layout(scalar, binding = 11) readonly buffer Extinction { uint extinction[]; };
 layout(scalar, binding = 12) readonly buffer Overflow { uint overflow[]; };
-layout(scalar, binding = 13) writeonly buffer Integral { uint integral[]; };
+layout(binding = 13) writeonly uniform image2DArray integral;
 layout(scalar, binding = 14) readonly buffer ExtinctionRgb { uint extinction_rgb[]; };
 layout(scalar, binding = 15) readonly buffer OverflowRgb { uint overflow_rgb[]; };
-layout(scalar, binding = 16) writeonly buffer IntegralRgb { uint integral_rgb[]; };
+layout(binding = 16) writeonly uniform image2DArray integral_rg;   // of all sources: (r before, r behind, g before, g behind)
 layout(scalar, binding = 17) writeonly buffer ZeroSlice { uint zero_slice[]; };
 layout(scalar, binding = 18) writeonly buffer RgbStart { uint rgb_start[]; };   // first slice with RGB extinction, a tile
-layout(scalar, binding = 19) readonly buffer WarpTable { DepthWarp warp; };
+layout(binding = 19) writeonly uniform image2DArray integral_b;
+layout(scalar, binding = 9) readonly buffer WarpTable { DepthWarp warp; };
 
 float stored(float tau) {
   if (kTransmittance == 0u) return tau;
@@ -46,26 +48,22 @@ vec3 rgb_depth(uint ray, uint slice) {
 void main() {
   const uvec2 cell = gl_GlobalInvocationID.xy;
   const uint masks = (warp.used + 31u) / 32u;
-  uint start = kNoSlice;   // over the neighbours too: filtering at a tile's edge reads their cells
-  if (kRgbWords != 0u) {
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy), last_tile = ivec2(volume.tiles) - 1;
-    for (int n = 0; n < 9; ++n) {
-      const ivec2 at = clamp(tile + ivec2(n % 3, n / 3) - 1, ivec2(0), last_tile);
-      for (uint m = masks; m-- > 0u;) {
-        const uint mask = rgb_mask(uint(at.y) * volume.tiles.x + uint(at.x), m);
-        if (mask != 0u) start = min(start, m * 32u + uint(findLSB(mask)));
-      }
+  if (kRgbWords != 0u && gl_LocalInvocationIndex == 0u) {
+    uint start = kNoSlice;
+    for (uint m = masks; m-- > 0u;) {
+      const uint mask = rgb_mask(tile_index(), m);
+      if (mask != 0u) start = m * 32u + uint(findLSB(mask));
     }
-    if (gl_LocalInvocationIndex == 0u) rgb_start[tile_index()] = start;
+    rgb_start[tile_index()] = start;
   }
   if (any(greaterThanEqual(cell, volume.cells))) return;
 
-  const uint plane = volume.cells.x * volume.cells.y, ray = cell.y * volume.cells.x + cell.x;
+  const uint ray = cell.y * volume.cells.x + cell.x;
   const uint saturated = overflow[ray];
   uvec3 saturated_rgb = uvec3(kNoSlice);
   if (kRgbWords == 1u) saturated_rgb = uvec3(overflow_rgb[ray * 3u], overflow_rgb[ray * 3u + 1u], overflow_rgb[ray * 3u + 2u]);
   float tau = 0.0;
-  vec3 tau_rgb = vec3(0.0);
+  vec3 tau_rgb = vec3(0.0), all_before = vec3(stored(0.0));
   uint zero = kNoSlice;
   for (uint m = 0u; m < masks; ++m) {
     const uint scalar = scalar_mask(tile_index(), m), rgb = kRgbWords != 0u ? rgb_mask(tile_index(), m) : 0u;
@@ -75,15 +73,17 @@ void main() {
       const float before = stored(tau);
       if ((scalar & bit) != 0u) tau += scalar_depth(ray, slice);
       if (slice >= saturated) tau = kSaturatedDepth;
-      integral[slice * plane + ray] = packHalf2x16(vec2(before, stored(tau)));
+      imageStore(integral, ivec3(cell, slice), vec4(before, stored(tau), 0.0, 0.0));
       float least = tau;
-      if (start != kNoSlice) {
-        const vec3 rgb_before = vec3(stored(tau_rgb.r), stored(tau_rgb.g), stored(tau_rgb.b));
+      if (kRgbWords != 0u) {
         if ((rgb & bit) != 0u) tau_rgb += rgb_depth(ray, slice);
         tau_rgb = mix(tau_rgb, vec3(kSaturatedDepth), greaterThanEqual(uvec3(slice), saturated_rgb));
-        for (uint c = 0u; c < 3u; ++c)
-          integral_rgb[(slice * plane + ray) * 3u + c] = packHalf2x16(vec2(rgb_before[c], stored(tau_rgb[c])));
-        least += min(tau_rgb.r, min(tau_rgb.g, tau_rgb.b));
+        const vec3 all = min(tau + tau_rgb, vec3(2.0 * kSaturatedDepth));
+        const vec3 behind = vec3(stored(all.r), stored(all.g), stored(all.b));
+        imageStore(integral_rg, ivec3(cell, slice), vec4(all_before.r, behind.r, all_before.g, behind.g));
+        imageStore(integral_b, ivec3(cell, slice), vec4(all_before.b, behind.b, 0.0, 0.0));
+        all_before = behind;
+        least = min(all.r, min(all.g, all.b));
       }
       if (least >= volume.zero_depth) zero = min(zero, slice);
     }

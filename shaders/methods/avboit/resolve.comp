@@ -5,8 +5,10 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNormalise = 1u;
+layout(constant_id = 1) const uint kRgb = 1u;   // RGB sources were drawn
 layout(binding = 8) uniform sampler2D light;
 layout(binding = 9) uniform sampler2D norm;
+layout(binding = 13) uniform sampler2D norm_rgb;
 layout(binding = 10) uniform sampler2D through;
 layout(binding = 11) uniform sampler2D opaque_color;
 layout(binding = 12, rgba16f) writeonly uniform image2D result;
@@ -18,8 +20,12 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
   const vec4 sums = texelFetch(light, pixel, 0);
-  const vec3 passed = sums.a * texelFetch(through, pixel, 0).rgb;
+  vec3 passed = vec3(sums.a), covered = vec3(texelFetch(norm, pixel, 0).r);
+  if (kRgb != 0u) {
+    passed *= texelFetch(through, pixel, 0).rgb;
+    covered += texelFetch(norm_rgb, pixel, 0).rgb;
+  }
   vec3 seen = sums.rgb;
-  if (kNormalise != 0u) seen *= (1.0 - passed + kEpsilon) / (texelFetch(norm, pixel, 0).rgb + kEpsilon);
+  if (kNormalise != 0u) seen *= (1.0 - passed + kEpsilon) / (covered + kEpsilon);
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));
 }

@@ -1,4 +1,4 @@
-// AVBOIT's transmittance at a depth: the integral, filtered bilinearly across cells and by kSampling along the ray.
+// AVBOIT's transmittance in front of a fragment: the integral, filtered bilinearly across cells and by kSampling along the ray.
 // Biased samplings (the talk) read the transmittance `bias` slices in front of the fragment, so that it does not occlude itself,
 // and so miss what stands in those slices. Self-excluded sampling reads the optical depth at the fragment and takes out the
 // fragment's own share, which it knows from its own optical depth and place in its slice.
@@ -7,52 +7,18 @@
 #include "methods/avboit/depth_warp.glsl"
 
 layout(constant_id = 0) const uint kSampling = 4u;   // 0 point, 1 linear, 2 quadratic, 3 cubic, 4 self-excluded
-layout(constant_id = 1) const uint kRgb = 1u;        // RGB sources have an integral of their own
-layout(constant_id = 2) const uint kLinear = 1u;     // how the splat shared optical depth
-layout(scalar, binding = 10) readonly buffer Integral { uint integral[]; };
-layout(scalar, binding = 11) readonly buffer IntegralRgb { uint integral_rgb[]; };
-layout(scalar, binding = 12) readonly buffer RgbStart { uint rgb_start[]; };
+layout(constant_id = 1) const uint kLinear = 1u;     // how the splat shared optical depth
+layout(constant_id = 2) const uint kRgb = 0u;        // read each channel
+layout(binding = 10) uniform sampler2DArray integral;      // (before, behind) each slice
+layout(binding = 11) uniform sampler2DArray integral_rg;   // (r before, r behind, g before, g behind)
+layout(binding = 12) uniform sampler2DArray integral_b;
 
-struct Footprint {
-  uvec4 rays;
-  vec4 weights;
-  float slice;   // where along the ray the integral is read
-  float share;   // of the fragment's own optical depth that lies in front of that place
-};
-
-Footprint footprint(vec2 pixel, float depth) {
-  Footprint f;
-  const vec2 at = pixel / float(volume.divisor) - 0.5;
-  const vec2 low = floor(at), part = at - low;
-  const ivec2 last = ivec2(volume.cells) - 1;
-  const uvec2 a = uvec2(clamp(ivec2(low), ivec2(0), last)), b = uvec2(clamp(ivec2(low) + 1, ivec2(0), last));
-  f.rays = uvec4(a.y, a.y, b.y, b.y) * volume.cells.x + uvec4(a.x, b.x, a.x, b.x);
-  f.weights = vec4((1.0 - part.x) * (1.0 - part.y), part.x * (1.0 - part.y), (1.0 - part.x) * part.y, part.x * part.y);
-  const float p = slice_at(depth), g = fract(p);
-  f.share = 0.0;
-  if (kSampling == 4u) {
-    // A slice's optical depth is spread over it, so what was splatted at p lies around p + 1/2: that is where to read.
-    f.slice = kLinear != 0u ? p + 0.5 : p;
-    f.share = kLinear != 0u ? (1.0 - g) * min(g + 0.5, 1.0) + g * max(g - 0.5, 0.0) : g;
-  } else {
-    f.slice = max((kSampling == 0u ? floor(p) : p + 1.0) - volume.bias, 0.0);
-  }
-  return f;
-}
-
-// Nodes in front of and behind a slice, averaged over the footprint.
-vec2 pair_at(Footprint f, uint slice) {
-  const uint base = slice * volume.cells.x * volume.cells.y;
-  vec2 sum = vec2(0.0);
-  for (uint i = 0u; i < 4u; ++i) sum += f.weights[i] * unpackHalf2x16(integral[base + f.rays[i]]);
-  return sum;
-}
-
-vec2 rgb_pair_at(Footprint f, uint slice, uint channel) {
-  const uint base = slice * volume.cells.x * volume.cells.y;
-  vec2 sum = vec2(0.0);
-  for (uint i = 0u; i < 4u; ++i) sum += f.weights[i] * unpackHalf2x16(integral_rgb[(base + f.rays[i]) * 3u + channel]);
-  return sum;
+// Nodes in front of and behind a slice, a row a channel.
+mat3x2 nodes_of(vec2 uv, uint slice) {
+  const vec3 at = vec3(uv, float(slice));
+  if (kRgb == 0u) return mat3x2(textureLod(integral, at, 0.0).rg, vec2(0.0), vec2(0.0));
+  const vec4 rg = textureLod(integral_rg, at, 0.0);
+  return mat3x2(rg.rg, rg.ba, textureLod(integral_b, at, 0.0).rg);
 }
 
 // Weights of the nodes around a place between two of them, `part` of the way: B-splines of degree 2 and 3.
@@ -66,50 +32,29 @@ vec4 spline(float part) {
   return vec4(s * s * s, 4.0 - 6.0 * part * part + 3.0 * part * part * part, 4.0 - 6.0 * s * s + 3.0 * s * s * s, part * part * part) / 6.0;
 }
 
-float value_at(Footprint f) {
-  const uint slice = min(uint(f.slice), volume.slices - 1u);
-  const float part = min(f.slice - float(slice), 1.0);
-  const vec2 here = pair_at(f, slice);
-  if (kSampling == 0u) return here.x;
-  if (kSampling == 1u || kSampling == 4u) return mix(here.x, here.y, part);
+vec3 value_at(vec2 uv, float place) {
+  const uint slice = min(uint(max(place, 0.0)), volume.slices - 1u);
+  const float part = clamp(place - float(slice), 0.0, 1.0);
+  const mat3x2 here = nodes_of(uv, slice);
+  if (kSampling == 0u) return vec3(here[0].x, here[1].x, here[2].x);
+  if (kSampling == 1u || kSampling == 4u) return vec2(1.0 - part, part) * here;
   const vec4 w = spline(part);
-  const float before = pair_at(f, slice - min(slice, 1u)).x, behind = pair_at(f, min(slice + 1u, volume.slices - 1u)).y;
-  return dot(w, vec4(before, here, behind));
+  const mat3x2 before = nodes_of(uv, slice - min(slice, 1u)), behind = nodes_of(uv, min(slice + 1u, volume.slices - 1u));
+  return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
 }
 
-vec3 rgb_value_at(Footprint f) {
-  const uint slice = min(uint(f.slice), volume.slices - 1u);
-  const float part = min(f.slice - float(slice), 1.0);
-  vec3 value;
-  for (uint c = 0u; c < 3u; ++c) {
-    const vec2 here = rgb_pair_at(f, slice, c);
-    if (kSampling == 0u) value[c] = here.x;
-    else if (kSampling == 1u || kSampling == 4u) value[c] = mix(here.x, here.y, part);
-    else {
-      const vec4 w = spline(part);
-      const float before = rgb_pair_at(f, slice - min(slice, 1u), c).x, behind = rgb_pair_at(f, min(slice + 1u, volume.slices - 1u), c).y;
-      value[c] = dot(w, vec4(before, here, behind));
-    }
+// `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
+vec3 transmittance_at(vec2 pixel, float p, vec3 own) {
+  const vec2 uv = pixel / vec2(volume.cells * volume.divisor);
+  vec3 t;
+  if (kSampling == 4u) {
+    // A slice's optical depth is spread over it, so what was splatted at p lies around p + 1/2: that is where to read.
+    const float g = fract(p);
+    const float share = kLinear != 0u ? (1.0 - g) * min(g + 0.5, 1.0) + g * max(g - 0.5, 0.0) : g;
+    t = exp(-max(value_at(uv, kLinear != 0u ? p + 0.5 : p) - own * share, vec3(0.0)));
+  } else {
+    t = value_at(uv, (kSampling == 0u ? floor(p) : p + 1.0) - volume.bias);
   }
-  return value;
-}
-
-bool rgb_in_front(vec2 pixel, Footprint f) {
-  const uvec2 tile = uvec2(pixel) / (volume.divisor * kTileCells);
-  return uint(f.slice) >= rgb_start[tile.y * volume.tiles.x + tile.x];
-}
-
-// `own` is the optical depth of the fragment itself, and in which integral it was splatted.
-vec3 transmittance_at(vec2 pixel, float depth, float own, vec3 own_rgb) {
-  const Footprint f = footprint(pixel, depth);
-  const float value = value_at(f);
-  vec3 t = vec3(kSampling == 4u ? exp(-max(value - own * f.share, 0.0)) : value);
-  // A loop, because CPU devices run both sides of a condition: away from coloured glass nothing is read.
-  const uint times = kRgb != 0u && rgb_in_front(pixel, f) ? 1u : 0u;
-  for (uint i = 0u; i < times; ++i) {
-    const vec3 rgb = rgb_value_at(f);
-    t *= kSampling == 4u ? exp(-max(rgb - own_rgb * f.share, vec3(0.0))) : rgb;
-  }
-  return t;
+  return kRgb != 0u ? t : t.rrr;
 }
 #endif

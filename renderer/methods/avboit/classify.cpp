@@ -1,0 +1,41 @@
+#include "renderer/methods/avboit/plan.h"
+#include "renderer/radix_sort.h"
+
+namespace plume::avboit {
+
+void add_classify_needs(Needs& needs, const Plan& plan) {
+  const uint64_t count = std::max(plan.volume.cards, 1u);
+  needs.buffers.push_back({.name = "pairs", .bytes = count * 8, .clear = {}});
+  needs.buffers.push_back({.name = "sorted_pairs", .bytes = count * 8, .clear = {}});
+  needs.buffers.push_back({.name = "pair_counts", .bytes = radix_counts_bytes(plan.volume.cards), .clear = 0});
+  needs.buffers.push_back({.name = "class_order", .bytes = count * 4, .clear = {}});
+  needs.buffers.push_back(
+      {.name = "class_draws", .bytes = shared::kDrawnClasses * sizeof(shared::ClassDraw), .clear = 0});
+}
+
+void record_classify(const Picture& picture, const Plan& plan) {
+  const uint32_t count = plan.volume.cards;
+  if (count == 0) return;
+  const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+  picture.frame.pass("classify", [&](gpu::Pass& pass) {
+    pass.dispatch(pass.pipelines().compute("methods/avboit/classify.comp", {plan.rgb ? 1u : 0u}),
+                  {{"View", picture.transparents.view},
+                   {"Cards", picture.transparents.cards},
+                   {"Order", picture.transparents.order},
+                   {"VolumeBlock", buffer("volume")},
+                   {"WarpTable", buffer("warp")},
+                   {"RgbStart", buffer("rgb_start")},
+                   {"Pairs", buffer("pairs")}},
+                  plan.volume.rgb_first, {gpu::groups(count, 256), 1, 1});
+    pass.barrier();
+    radix_round(pass, *buffer("pairs"), *buffer("sorted_pairs"), *buffer("pair_counts"), count, 0);
+    pass.dispatch(pass.pipelines().compute("methods/avboit/class_draws.comp"),
+                  {{"Pairs", buffer("sorted_pairs")},
+                   {"Order", buffer("class_order")},
+                   {"Counts", buffer("pair_counts")},
+                   {"ClassDraws", buffer("class_draws")}},
+                  glm::uvec2(count, radix_tiles(count)), {gpu::groups(count, 256), 1, 1});
+  });
+}
+
+}  // namespace plume::avboit

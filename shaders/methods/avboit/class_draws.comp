@@ -1,0 +1,23 @@
+// AVBOIT, classify: the sorted cards as a draw order, and one indirect draw a class from the scanned counts of the sort.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "methods/avboit/card_class.h"
+
+layout(local_size_x = 256) in;
+layout(scalar, binding = 0) readonly buffer Pairs { uvec2 pairs[]; };
+layout(scalar, binding = 1) writeonly buffer Order { uint order[]; };
+layout(scalar, binding = 2) readonly buffer Counts { uint counts[]; };   // [digit][tile], scanned
+layout(scalar, binding = 3) writeonly buffer ClassDraws { ClassDraw class_draws[]; };
+layout(push_constant) uniform Push {
+  uint count;
+  uint sort_tiles;
+};
+
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i < count) order[i] = pairs[i].y;
+  if (i < kDrawnClasses) {
+    const uint first = counts[i * sort_tiles];
+    class_draws[i] = ClassDraw(6u, counts[(i + 1u) * sort_tiles] - first, 0u, first);
+  }
+}

@@ -1,0 +1,39 @@
+// AVBOIT, classify: what drawing each card has to do, in the order of submission, for a stable sort into one draw a class.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "methods/avboit/card_class.h"
+#include "methods/avboit/card_cells.glsl"
+#include "methods/avboit/depth_warp.glsl"
+
+layout(local_size_x = 256) in;
+layout(constant_id = 0) const uint kRgb = 1u;
+layout(scalar, binding = 0) uniform View { ViewData view; };
+layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
+layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
+layout(scalar, binding = 10) readonly buffer RgbStart { uint rgb_start[]; };
+layout(scalar, binding = 11) writeonly buffer Pairs { uvec2 pairs[]; };
+layout(push_constant) uniform Push { uint rgb_first; };
+
+bool behind_rgb(Card card, Bounds b) {
+  const uvec4 tiles = uvec4(cells_of(card, b, view, volume)) / kTileCells;
+  const uint last = uint(slice_at(b.farthest)) + volume.guard_after;
+  for (uint y = tiles.y; y <= tiles.w; ++y)
+    for (uint x = tiles.x; x <= tiles.z; ++x)
+      if (rgb_start[y * volume.tiles.x + x] <= last) return true;
+  return false;
+}
+
+uint class_of(uint id) {
+  const Card card = cards[id];
+  const Bounds b = bounds_of(card, view);
+  if (!b.seen || (card.optical_depth <= 0.0 && card.emission == uvec2(0u))) return kClassUnseen;
+  uint result = b.farthest - b.nearest > 1e-4 * b.farthest ? kClassTilted : 0u;
+  if (kRgb != 0u && id >= rgb_first) result |= kClassRgb;
+  if (kRgb != 0u && (id >= rgb_first || behind_rgb(card, b))) result |= kClassBehindRgb;
+  return result;
+}
+
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i < volume.cards) pairs[i] = uvec2(class_of(order[i]), order[i]);
+}
