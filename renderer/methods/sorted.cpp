@@ -55,6 +55,7 @@ class Sorted final : public Method {
                          .constants = {},
                          .bindings = {},
                          .order = buffer("order"),
+                         .count_fragments = true,
                          .backwards = true});
     });
   }

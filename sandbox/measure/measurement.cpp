@@ -95,7 +95,7 @@ void summarise_passes(const std::vector<std::vector<gpu::PassTime>>& samples, Fr
   for (size_t p = 0; p < samples.front().size(); ++p) {
     std::vector<double> times;
     for (const auto& sample : samples) times.push_back(sample[p].ms);
-    frame.passes.push_back({samples.front()[p].name, summarise(times)});
+    frame.passes.push_back({samples.front()[p].name, summarise(times), samples.front()[p].fragments});
   }
 }
 

@@ -54,7 +54,11 @@ FrameResult frame_from_json(const json& from) {
                             {.median = pass.at("median_ms"),
                              .p95 = pass.at("p95_ms"),
                              .min = pass.at("min_ms"),
-                             .samples = pass.at("samples")}});
+                             .samples = pass.at("samples")},
+                            {}});
+  for (size_t i = 0; i < frame.passes.size(); ++i)
+    if (const json& count = from.at("passes")[i].at("fragments"); !count.is_null())
+      frame.passes[i].fragments = count.get<uint64_t>();
   frame.gpu_ms = from.at("gpu_ms");
   frame.memory_bytes = from.at("memory_bytes");
   if (const json& error = from.at("error"); !error.is_null())
@@ -79,7 +83,8 @@ json to_json(const FrameResult& frame) {
                       {"median_ms", pass.ms.median},
                       {"p95_ms", pass.ms.p95},
                       {"min_ms", pass.ms.min},
-                      {"samples", pass.ms.samples}});
+                      {"samples", pass.ms.samples},
+                      {"fragments", pass.fragments ? json(*pass.fragments) : json(nullptr)}});
   json error = nullptr;
   if (frame.error)
     error = {{"rmse", number_or_null(frame.error->rmse)},

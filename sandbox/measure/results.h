@@ -17,6 +17,7 @@ namespace plume {
 struct PassSummary {
   std::string name;
   Summary ms;
+  std::optional<uint64_t> fragments;  ///< that passed the depth test, where the pass counts them
 };
 
 struct ErrorSummary {
