@@ -24,6 +24,7 @@ struct Fragment {
   vec3 color;          // premultiplied by coverage
   vec3 emission;       // radiance added whatever the coverage
   float coverage;      // alpha, 0..1
+  float optical_depth; // -ln(1 - alpha)
   vec3 transmission;   // share of light passed where covered
   float depth;         // view depth, m
   uint id;             // card index: breaks ties of depth
@@ -63,7 +64,8 @@ Fragment shade() {
   // Where the puff is thin, light comes from all around: no side is dark, so no puff has an outline.
   const float sun = mix(0.45, wrap * wrap, 1.0 - exp(-2.0 * density_here));
   Fragment f;
-  f.coverage = coverage_of(density_here);
+  f.optical_depth = v_ambient.a * density_here;
+  f.coverage = 1.0 - exp(-f.optical_depth);
   f.color = f.coverage * (v_sunlit.rgb * sun + v_ambient.rgb * texel.a);
   // Thick parts and creases are hotter: green and blue rise faster than red. At the mean depth it is the colour as written;
   // 1.8 cubed times the brightest radiance a preset may ask for (10 000) still fits a half float.

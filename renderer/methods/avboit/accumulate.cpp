@@ -32,7 +32,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
   const Settings& s = plan.settings;
 
   const auto draw = [&](gpu::Pass& pass, uint32_t card_class) {
-    const bool tilted = card_class & shared::kClassTilted, rgb = card_class & shared::kClassRgb,
+    const bool general = card_class & shared::kClassGeneral, rgb = card_class & shared::kClassRgb,
                behind_rgb = card_class & shared::kClassBehindRgb;
     std::vector<gpu::Attachment> targets{
         {.image = image("light"), .blend = gpu::Blend::kAddMultiplyAlpha, .clear = {}}};
@@ -46,7 +46,8 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                                      .area = picture.area(),
                                      .vertex = "methods/avboit/card_at_slice.vert",
                                      .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u,
-                                                   behind_rgb ? 1u : 0u, rgb ? 1u : 0u, tilted ? 1u : 0u},
+                                                   behind_rgb ? 1u : 0u, rgb ? 1u : 0u, general ? 1u : 0u,
+                                                   uint32_t(s.colour)},
                                      .bindings = {{"VolumeBlock", buffer("volume")},
                                                   {"WarpTable", buffer("warp")},
                                                   {"integral", image("integral")},
@@ -64,12 +65,13 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     pass.clear(*image("through"), {1, 1, 1, 1});
     pass.barrier();
     for (uint32_t c = 0; c < shared::kDrawnClasses; ++c) {
-      const bool possible = !(c & shared::kClassRgb) || (c & shared::kClassBehindRgb);
-      if (possible && (plan.rgb || !(c & shared::kClassBehindRgb))) draw(pass, c);
+      const bool rgb = c & shared::kClassRgb, behind_rgb = c & shared::kClassBehindRgb;
+      if ((!rgb || plan.coloured) && (!behind_rgb || plan.rgb) && (!rgb || !plan.rgb || behind_rgb)) draw(pass, c);
     }
   });
+  const Colour colour = plan.coloured ? s.colour : Colour::kMono;
   picture.frame.pass("resolve", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/resolve.comp", {s.normalise ? 1u : 0u, plan.rgb ? 1u : 0u}),
+    pass.dispatch(pass.pipelines().compute("methods/avboit/resolve.comp", {s.normalise ? 1u : 0u, uint32_t(colour)}),
                   {{"light", image("light")},
                    {"norm", image("norm")},
                    {"norm_rgb", image("norm_rgb")},

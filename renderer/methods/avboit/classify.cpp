@@ -17,16 +17,18 @@ void record_classify(const Picture& picture, const Plan& plan) {
   const uint32_t count = plan.volume.cards;
   if (count == 0) return;
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+  const bool cull = plan.settings.zero_depth != ZeroDepth::kOff;
   picture.frame.pass("classify", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/classify.comp", {plan.rgb ? 1u : 0u}),
+    pass.dispatch(pass.pipelines().compute("methods/avboit/classify.comp", {plan.rgb ? 1u : 0u, cull ? 1u : 0u}),
                   {{"View", picture.transparents.view},
                    {"Cards", picture.transparents.cards},
                    {"Order", picture.transparents.order},
                    {"VolumeBlock", buffer("volume")},
                    {"WarpTable", buffer("warp")},
                    {"RgbStart", buffer("rgb_start")},
+                   {"ZeroDepths", buffer(cull ? "zero_depths" : "rgb_start")},
                    {"Pairs", buffer("pairs")}},
-                  plan.volume.rgb_first, {gpu::groups(count, 256), 1, 1});
+                  plan.first_coloured, {gpu::groups(count, 256), 1, 1});
     pass.barrier();
     radix_round(pass, *buffer("pairs"), *buffer("sorted_pairs"), *buffer("pair_counts"), count, 0);
     pass.dispatch(pass.pipelines().compute("methods/avboit/class_draws.comp"),

@@ -7,7 +7,9 @@ namespace plume::avboit {
 Plan::Plan(const Settings& chosen, glm::uvec2 picture_size, const Transparents& transparents)
     : settings(chosen),
       size(picture_size),
-      rgb(chosen.colour == Colour::kRgb && transparents.number(Source::kRgb) > 0) {
+      rgb(chosen.colour == Colour::kRgb && transparents.number(Source::kRgb) > 0),
+      coloured(chosen.colour != Colour::kMono && transparents.number(Source::kRgb) > 0),
+      first_coloured(coloured ? transparents.first(Source::kRgb) : transparents.count) {
   const bool self_excluded = settings.sampling == Sampling::kSelfExcluded;
   const bool spline = settings.sampling == Sampling::kQuadratic || settings.sampling == Sampling::kCubic;
   const uint32_t bias = self_excluded ? 0 : uint32_t(std::ceil(settings.bias));

@@ -6,7 +6,7 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kClassTilted = 1u;     // bit: it spans slices; otherwise it faces the camera and lies in one
+const uint kClassGeneral = 1u;    // bit: it spans slices or passes light; otherwise an opaque-where-dense card in one slice
 const uint kClassBehindRgb = 2u;  // bit: RGB sources may lie in front of it
 const uint kClassRgb = 4u;        // bit: it is an RGB source itself
 const uint kClassUnseen = 8u;     // off the screen, dead, or drawn elsewhere

@@ -4,18 +4,20 @@
 #include "methods/avboit/card_class.h"
 #include "methods/avboit/card_cells.glsl"
 #include "methods/avboit/depth_warp.glsl"
+#include "methods/avboit/zero_tile.h"
 
 layout(local_size_x = 256) in;
-layout(constant_id = 0) const uint kRgb = 1u;
+layout(constant_id = 0) const uint kRgb = 1u;         // RGB sources have an integral of their own
+layout(constant_id = 1) const uint kCullCards = 1u;   // leave out what lies wholly behind the zero-transmittance depth
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
 layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
 layout(scalar, binding = 10) readonly buffer RgbStart { uint rgb_start[]; };
 layout(scalar, binding = 11) writeonly buffer Pairs { uvec2 pairs[]; };
+layout(scalar, binding = 12) readonly buffer ZeroDepths { float zero_depths[]; };
 layout(push_constant) uniform Push { uint rgb_first; };
 
-bool behind_rgb(Card card, Bounds b) {
-  const uvec4 tiles = uvec4(cells_of(card, b, view, volume)) / kTileCells;
+bool behind_rgb(uvec4 tiles, Bounds b) {
   const uint last = uint(slice_at(b.farthest)) + volume.guard_after;
   for (uint y = tiles.y; y <= tiles.w; ++y)
     for (uint x = tiles.x; x <= tiles.z; ++x)
@@ -23,13 +25,25 @@ bool behind_rgb(Card card, Bounds b) {
   return false;
 }
 
+bool behind_zero_depth(uvec4 cells, Bounds b) {
+  const uint each = kZeroTilePixels / volume.divisor, across = (view.size.x + kZeroTilePixels - 1u) / kZeroTilePixels;
+  const float nearest = view.near_m / b.nearest;
+  const uvec4 tiles = cells / each;
+  for (uint y = tiles.y; y <= tiles.w; ++y)
+    for (uint x = tiles.x; x <= tiles.z; ++x)
+      if (zero_depths[y * across + x] <= nearest) return false;
+  return true;
+}
+
 uint class_of(uint id) {
   const Card card = cards[id];
   const Bounds b = bounds_of(card, view);
   if (!b.seen || (card.optical_depth <= 0.0 && card.emission == uvec2(0u))) return kClassUnseen;
-  uint result = b.farthest - b.nearest > 1e-4 * b.farthest ? kClassTilted : 0u;
-  if (kRgb != 0u && id >= rgb_first) result |= kClassRgb;
-  if (kRgb != 0u && (id >= rgb_first || behind_rgb(card, b))) result |= kClassBehindRgb;
+  const uvec4 cells = uvec4(cells_of(card, b, view, volume));
+  if (kCullCards != 0u && behind_zero_depth(cells, b)) return kClassUnseen;
+  uint result = b.farthest - b.nearest > 1e-4 * b.farthest || card.transmission != uvec2(0u) ? kClassGeneral : 0u;
+  if (id >= rgb_first) result |= kClassRgb;
+  if (kRgb != 0u && (id >= rgb_first || behind_rgb(cells / kTileCells, b))) result |= kClassBehindRgb;
   return result;
 }
 

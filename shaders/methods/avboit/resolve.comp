@@ -2,10 +2,11 @@
 // The small e (kEpsilon) makes the fraction 1 where nothing covers, so that emission without coverage passes as it is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "methods/avboit/colour.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNormalise = 1u;
-layout(constant_id = 1) const uint kRgb = 1u;   // RGB sources were drawn
+layout(constant_id = 1) const uint kColour = kFullRgb;
 layout(binding = 8) uniform sampler2D light;
 layout(binding = 9) uniform sampler2D norm;
 layout(binding = 13) uniform sampler2D norm_rgb;
@@ -20,12 +21,15 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
   const vec4 sums = texelFetch(light, pixel, 0);
-  vec3 passed = vec3(sums.a), covered = vec3(texelFetch(norm, pixel, 0).r);
-  if (kRgb != 0u) {
-    passed *= texelFetch(through, pixel, 0).rgb;
-    covered += texelFetch(norm_rgb, pixel, 0).rgb;
+  vec3 passed = vec3(sums.a), covers = vec3(1.0 - sums.a), covered = vec3(texelFetch(norm, pixel, 0).r), skew = vec3(1.0);
+  if (kColour != kMono) {
+    const vec4 tint = texelFetch(through, pixel, 0);
+    passed *= tint.rgb;
+    covers = kColour == kFullRgb ? 1.0 - passed : vec3(1.0 - sums.a * tint.a);
+    if (kColour == kSkew || kColour == kFirstEvent) skew = tint.rgb / max(luma(tint.rgb), 1e-6);
   }
-  vec3 seen = sums.rgb;
-  if (kNormalise != 0u) seen *= (1.0 - passed + kEpsilon) / (covered + kEpsilon);
+  if (kColour == kFullRgb) covered += texelFetch(norm_rgb, pixel, 0).rgb;
+  vec3 seen = sums.rgb * skew;
+  if (kNormalise != 0u) seen *= (covers + kEpsilon) / (covered + kEpsilon);
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));
 }
