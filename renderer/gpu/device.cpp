@@ -38,6 +38,13 @@ constexpr FeatureName<vk::PhysicalDeviceVulkan12Features> kVulkan12Features[] = 
     PLUME_FEATURE(PhysicalDeviceVulkan12Features, hostQueryReset),
     PLUME_FEATURE(PhysicalDeviceVulkan12Features, shaderOutputLayer),
 };
+// Used where they are there; methods that need them say so.
+constexpr FeatureName<vk::PhysicalDeviceFeatures> kOptionalCoreFeatures[] = {
+    PLUME_FEATURE(PhysicalDeviceFeatures, shaderInt64),
+};
+constexpr FeatureName<vk::PhysicalDeviceVulkan12Features> kOptionalVulkan12Features[] = {
+    PLUME_FEATURE(PhysicalDeviceVulkan12Features, shaderBufferInt64Atomics),
+};
 constexpr FeatureName<vk::PhysicalDeviceVulkan13Features> kVulkan13Features[] = {
     PLUME_FEATURE(PhysicalDeviceVulkan13Features, dynamicRendering),
     PLUME_FEATURE(PhysicalDeviceVulkan13Features, synchronization2),
@@ -209,6 +216,13 @@ void Device::create_device() {
           missing);
   request(kVulkan13Features, offered.get<vk::PhysicalDeviceVulkan13Features>(), options_.fault, features13,
           missing);
+
+  std::vector<std::string> without;
+  request(kOptionalCoreFeatures, offered.get<vk::PhysicalDeviceFeatures2>().features, options_.fault,
+          features.features, without);
+  request(kOptionalVulkan12Features, offered.get<vk::PhysicalDeviceVulkan12Features>(), options_.fault,
+          features12, without);
+  has_int64_atomics_ = without.empty();
 
   std::vector<const char*> extensions = options_.device_extensions;
   extensions.insert(extensions.end(), std::begin(kExtensions), std::end(kExtensions));

@@ -66,6 +66,8 @@ class Device {
   /// Every warning and error the validation layers gave so far; empty without `validate`.
   std::vector<std::string> validation_messages() const;
   bool has_debug_labels() const { return has_debug_utils_; }
+  /// shaderInt64 and shaderBufferInt64Atomics.
+  bool has_int64_atomics() const { return has_int64_atomics_; }
 
  private:
   void create_instance();
@@ -93,6 +95,7 @@ class Device {
   std::string last_pass_ = "none";
   vk::PhysicalDeviceLimits limits_;
   bool has_debug_utils_ = false;
+  bool has_int64_atomics_ = false;
 };
 
 /// The devices of this machine in the order of their indices; empty when there is no Vulkan driver.

@@ -30,14 +30,17 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
   const auto image = [&](const char* name) { return &picture.resources.image(name); };
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   const Settings& s = plan.settings;
+  const Colour colour = plan.coloured ? s.colour : Colour::kMono;
 
   const auto draw = [&](gpu::Pass& pass, uint32_t card_class) {
-    const bool general = card_class & shared::kClassGeneral, rgb = card_class & shared::kClassRgb,
-               behind_rgb = card_class & shared::kClassBehindRgb;
+    const uint32_t kind = card_class / 4;
+    const bool rgb = kind == shared::kKindRgb, behind_rgb = card_class & shared::kBehindRgb,
+               behind_layers = card_class & shared::kBehindLayers;
+    const bool each_channel = colour == Colour::kRgb && (rgb || behind_rgb || behind_layers);
     std::vector<gpu::Attachment> targets{
         {.image = image("light"), .blend = gpu::Blend::kAddMultiplyAlpha, .clear = {}}};
     if (s.normalise)
-      targets.push_back({.image = image(behind_rgb ? "norm_rgb" : "norm"), .blend = gpu::Blend::kAdd, .clear = {}});
+      targets.push_back({.image = image(each_channel ? "norm_rgb" : "norm"), .blend = gpu::Blend::kAdd, .clear = {}});
     if (rgb) targets.push_back({.image = image("through"), .blend = gpu::Blend::kMultiply, .clear = {}});
     picture.transparents.draw(pass, {.fragment = "methods/avboit/accumulate.frag",
                                      .targets = std::move(targets),
@@ -46,10 +49,11 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                                      .area = picture.area(),
                                      .vertex = "methods/avboit/card_at_slice.vert",
                                      .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u,
-                                                   behind_rgb ? 1u : 0u, rgb ? 1u : 0u, general ? 1u : 0u,
-                                                   uint32_t(s.colour)},
+                                                   behind_rgb ? 1u : 0u, rgb ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u,
+                                                   uint32_t(colour), behind_layers ? 1u : 0u},
                                      .bindings = {{"VolumeBlock", buffer("volume")},
                                                   {"WarpTable", buffer("warp")},
+                                                  {"Layers", buffer("layers")},
                                                   {"integral", image("integral")},
                                                   {"integral_rg", image("integral_rg")},
                                                   {"integral_b", image("integral_b")}},
@@ -64,12 +68,14 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     pass.clear(*image("norm_rgb"), {0, 0, 0, 0});
     pass.clear(*image("through"), {1, 1, 1, 1});
     pass.barrier();
-    for (uint32_t c = 0; c < shared::kDrawnClasses; ++c) {
-      const bool rgb = c & shared::kClassRgb, behind_rgb = c & shared::kClassBehindRgb;
-      if ((!rgb || plan.coloured) && (!behind_rgb || plan.rgb) && (!rgb || !plan.rgb || behind_rgb)) draw(pass, c);
+    for (uint32_t c = 0; c < shared::kDrawClasses; ++c) {
+      const bool coloured = c / 4 == shared::kKindRgb, behind_rgb = c & shared::kBehindRgb,
+                 behind_layers = c & shared::kBehindLayers;
+      if ((!coloured || plan.coloured) && (!behind_rgb || plan.rgb) &&
+          (!behind_layers || plan.volume.exact_layers > 0))
+        draw(pass, c);
     }
   });
-  const Colour colour = plan.coloured ? s.colour : Colour::kMono;
   picture.frame.pass("resolve", [&](gpu::Pass& pass) {
     pass.dispatch(pass.pipelines().compute("methods/avboit/resolve.comp", {s.normalise ? 1u : 0u, uint32_t(colour)}),
                   {{"light", image("light")},

@@ -22,13 +22,18 @@ class Avboit final : public Method {
             .emission = "exact where nothing covers; else scaled as the coverage is",
             .limits = "events within a slice of each other mix; silhouettes are as coarse as a cell"};
   }
+  std::vector<std::string> missing(const gpu::Device& device) const override {
+    if (settings_.exact_layer_count() == 0 || device.has_int64_atomics()) return {};
+    return {"shaderInt64 and shaderBufferInt64Atomics, or exact_layers=0"};
+  }
   void visit(ParameterVisitor& visitor) override { settings_.visit(visitor); }
 
   Needs needs(glm::uvec2 size, const Transparents& transparents) const override {
     using namespace avboit;
     const Plan plan(settings_, size, transparents);
     Needs needs;
-    for (const auto add : {add_depth_warp_needs, add_occupancy_needs, add_splat_needs, add_integrate_needs,
+    for (const auto add : {add_depth_warp_needs, add_occupancy_needs, add_exact_layers_needs,
+                           add_splat_needs, add_integrate_needs,
                            add_zero_depth_needs, add_classify_needs, add_accumulate_needs})
       add(needs, plan);
     return needs;
@@ -39,7 +44,9 @@ class Avboit final : public Method {
     const Plan plan(settings_, picture.size, picture.transparents);
     record_depth_warp(picture, plan);
     record_occupancy(picture, plan);
+    record_sources(picture, plan);
     record_splat(picture, plan);
+    record_exact_layers(picture, plan);
     record_integrate(picture, plan);
     record_zero_depth(picture, plan);
     record_classify(picture, plan);

@@ -15,6 +15,7 @@ void record_occupancy(const Picture& picture, const Plan& plan) {
     pass.dispatch(pass.pipelines().compute("methods/avboit/occupancy.comp"),
                   {volume,
                    occupancy,
+                   {"LayersStart", buffer("layers_start")},
                    {"WarpTable", buffer("warp")},
                    {"View", transparents.view},
                    {"Cards", transparents.cards}},

@@ -35,6 +35,10 @@ void add_occupancy_needs(Needs& needs, const Plan& plan);
 /// occupancy, clear: which slices of which tiles are occupied, and zero extinction there.
 void record_occupancy(const Picture& picture, const Plan& plan);
 
+void add_exact_layers_needs(Needs& needs, const Plan& plan);
+/// exact_layers: the nearest fragments of sharp cards, pixel by pixel.
+void record_exact_layers(const Picture& picture, const Plan& plan);
+
 void add_splat_needs(Needs& needs, const Plan& plan);
 /// farthest, splat: optical depth of every card into the volume.
 void record_splat(const Picture& picture, const Plan& plan);
@@ -50,7 +54,9 @@ void record_zero_depth(const Picture& picture, const Plan& plan);
 const gpu::Image& visible_depth(const Picture& picture, const Plan& plan);
 
 void add_classify_needs(Needs& needs, const Plan& plan);
-/// classify: cards sorted into draws by what drawing them has to do.
+/// sources: cards sorted by where their extinction goes.
+void record_sources(const Picture& picture, const Plan& plan);
+/// classify: cards sorted by what drawing them has to do.
 void record_classify(const Picture& picture, const Plan& plan);
 
 void add_accumulate_needs(Needs& needs, const Plan& plan);

@@ -17,6 +17,8 @@ constexpr uint32_t kLeastVirtualChoice = 1024;
 constexpr std::string_view kSplats[] = {"packed8",  "packed8_exchange", "packed8_overflow",
                                         "packed16", "words32",          "raster"};
 constexpr std::string_view kRgbSplats[] = {"packed10", "words32"};
+constexpr std::string_view kExactNames[] = {"0", "2", "4", "8"};
+constexpr uint32_t kExactLayers[] = {0, 2, 4, 8};
 constexpr std::string_view kSamples[] = {"1", "4"};
 constexpr std::string_view kSamplings[] = {"point", "linear", "quadratic", "cubic", "self_excluded"};
 constexpr std::string_view kColours[] = {"mono", "total_extinction", "skew", "first_event", "rgb"};
@@ -79,6 +81,9 @@ void Settings::visit(ParameterVisitor& visitor) {
          "what coloured glass does to what lies behind it: cheaper modes tint the wrong things");
   visitor.toggle("normalise", normalise,
                  "scales the sum so that coverage adds up exactly, for one more target");
+  visitor.choice("exact_layers", exact_layers, kExactNames,
+                 "nearest fragments of hard-edged and small near-opaque cards kept a pixel, instead of in the "
+                 "volume: exact glass and sparks, for memory");
   choice(visitor, "accumulation", accumulation, kAccumulations, "format of the sums: rounding for bandwidth");
   choice(visitor, "zero_depth", zero_depth, kZeroDepths,
          "does not draw what lies behind opaque smoke: tile quads, or every pixel's depth to compare");
@@ -102,6 +107,10 @@ uint32_t Settings::virtual_slice_count() const {
       (curve_a + thickness_range) * std::log1p(double(curve_b) / curve_a) / double(slice_thickness);
   return std::clamp(std::bit_ceil(uint32_t(std::min(std::ceil(n), 1e6))), shared::kMostSlices,
                     shared::kMostVirtualSlices);
+}
+
+uint32_t Settings::exact_layer_count() const {
+  return kExactLayers[exact_layers];
 }
 
 uint32_t Settings::lane_bits() const {

@@ -33,6 +33,7 @@ struct Settings {
   ZeroDepth zero_depth = ZeroDepth::kQuads;
   float zero_transmittance = 1.0f / 1024;
   bool cull_opaque = false;
+  int exact_layers = 2;  ///< index into kExactLayers
 
   void visit(ParameterVisitor& visitor);
 
@@ -41,6 +42,7 @@ struct Settings {
   /// At the finest: as chosen, or the least that makes slices thin enough over the range asked for.
   uint32_t virtual_slice_count() const;
   uint32_t lane_bits() const;
+  uint32_t exact_layer_count() const;
 };
 
 }  // namespace plume::avboit

@@ -51,7 +51,7 @@ void record_splat(const Picture& picture, const Plan& plan) {
 
   const gpu::Constants common{plan.settings.linear_splat ? 1u : 0u, plan.settings.samples == 0 ? 1u : 4u,
                               plan.settings.dither ? 1u : 0u};
-  const auto draw = [&](gpu::Pass& pass, const char* fragment, std::optional<Source> source,
+  const auto draw = [&](gpu::Pass& pass, const char* fragment, uint32_t into,
                         std::vector<uint32_t> own_constants, gpu::Bindings own_bindings) {
     gpu::Constants constants = common;
     constants.insert(constants.end(), own_constants.begin(), own_constants.end());
@@ -60,17 +60,19 @@ void record_splat(const Picture& picture, const Plan& plan) {
                                      .targets = {},
                                      .opaque_depth = &farthest,
                                      .area = {v.cells.x, v.cells.y},
-                                     .source = source,
                                      .constants = std::move(constants),
                                      .bindings = std::move(own_bindings),
+                                     .order = buffer("source_order"),
+                                     .indirect = buffer("source_draws"),
+                                     .indirect_index = into,
                                      .covered = glm::vec2(plan.size) / glm::vec2(v.cells * v.divisor)});
   };
   picture.frame.pass("splat", [&](gpu::Pass& pass) {
-    draw(pass, "methods/avboit/splat.frag", plan.rgb ? std::optional(Source::kScalar) : std::nullopt,
+    draw(pass, "methods/avboit/splat.frag", shared::kIntoScalar,
          {plan.settings.lane_bits(), overflow_handling(plan.settings.splat)},
          {{"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}});
     if (plan.rgb)
-      draw(pass, "methods/avboit/splat_rgb.frag", Source::kRgb, {plan.rgb_words() == 1 ? 1u : 0u},
+      draw(pass, "methods/avboit/splat_rgb.frag", shared::kIntoRgb, {plan.rgb_words() == 1 ? 1u : 0u},
            {{"ExtinctionRgb", buffer("extinction_rgb")}, {"OverflowRgb", buffer("overflow_rgb")}});
   });
 }

@@ -14,7 +14,9 @@ layout(constant_id = 3) const uint kRgbSource = 0u;   // what is drawn passes so
 layout(constant_id = 4) const uint kGeneral = 0u;     // it spans slices or passes light where it covers
 layout(constant_id = 5) const uint kColour = kFullRgb;
 
-layout(location = 7) flat in float v_slice;
+layout(constant_id = 6) const uint kBehindLayers = 0u;
+
+layout(location = 7) flat in vec2 v_slice_own;
 
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 norm;
@@ -24,9 +26,13 @@ void main() {
   const Fragment f = shade();
   const float gray = 1.0 - gray_coverage(f);
   const vec3 passed = kRgbSource != 0u ? transmittance(f) : vec3(gray);
-  const vec3 weighed = kRgb != 0u ? passed : vec3(gray);
+  const vec3 weighed = kColour == kFullRgb ? passed : vec3(gray);
   const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(f.optical_depth);
-  const vec3 t = transmittance_at(gl_FragCoord.xy, kGeneral != 0u ? slice_at(f.depth) : v_slice, own);
+  vec3 t = transmittance_at(gl_FragCoord.xy, kGeneral != 0u ? slice_at(f.depth) : v_slice_own.x, own * v_slice_own.y);
+  if (kBehindLayers != 0u) {
+    const vec3 layers_t = layers_in_front(uvec2(gl_FragCoord.xy), f.depth);
+    t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
+  }
   vec3 seen = f.color + f.emission;
   vec3 tint = passed;
   if (kColour == kSkew || kColour == kFirstEvent) tint = exp(mix(log(max(vec3(gray), kLeastTransmittance)), log(max(passed, kLeastTransmittance)), t));

@@ -1,4 +1,4 @@
-// Classes of cards by what their draw has to do: each is drawn with a shader that does no more.
+// Classes of cards by what has to be done with them: each is drawn with a shader that does no more.
 #ifndef PLUME_AVBOIT_CARD_CLASS_H
 #define PLUME_AVBOIT_CARD_CLASS_H
 
@@ -6,11 +6,21 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kClassGeneral = 1u;    // bit: it spans slices or passes light; otherwise an opaque-where-dense card in one slice
-const uint kClassBehindRgb = 2u;  // bit: RGB sources may lie in front of it
-const uint kClassRgb = 4u;        // bit: it is an RGB source itself
-const uint kClassUnseen = 8u;     // off the screen, dead, or drawn elsewhere
-const uint kDrawnClasses = 8u;
+const uint kClasses = 16u;
+const uint kClassUnseen = 15u;  // off the screen, dead, hidden, or without a part in these draws
+
+// Where their extinction goes.
+const uint kIntoScalar = 0u;  // the volume, one value
+const uint kIntoRgb = 1u;     // the volume, a value a channel
+const uint kIntoLayers = 2u;  // the exact layers of a pixel
+
+// Their draw: 4 * kind, and a bit for each thing that may lie in front of them.
+const uint kKindPlain = 0u;    // faces the camera, so it lies in one slice, and passes no light where it covers
+const uint kKindGeneral = 1u;  // spans slices or passes light, all colours alike
+const uint kKindRgb = 2u;      // passes some colours better than others
+const uint kBehindRgb = 1u;
+const uint kBehindLayers = 2u;
+const uint kDrawClasses = 12u;
 
 struct ClassDraw {  // VkDrawIndirectCommand
   uint vertices;

@@ -16,8 +16,8 @@ layout(push_constant) uniform Push {
 void main() {
   const uint i = gl_GlobalInvocationID.x;
   if (i < count) order[i] = pairs[i].y;
-  if (i < kDrawnClasses) {
+  if (i < kClasses) {
     const uint first = counts[i * sort_tiles];
-    class_draws[i] = ClassDraw(6u, counts[(i + 1u) * sort_tiles] - first, 0u, first);
+    class_draws[i] = ClassDraw(6u, (i + 1u < kClasses ? counts[(i + 1u) * sort_tiles] : count) - first, 0u, first);
   }
 }

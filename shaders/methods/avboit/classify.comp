@@ -15,13 +15,23 @@ layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
 layout(scalar, binding = 10) readonly buffer RgbStart { uint rgb_start[]; };
 layout(scalar, binding = 11) writeonly buffer Pairs { uvec2 pairs[]; };
 layout(scalar, binding = 12) readonly buffer ZeroDepths { float zero_depths[]; };
+layout(scalar, binding = 13) readonly buffer LayersStart { uint layers_start[]; };   // bits of the nearest depth, a tile
 layout(push_constant) uniform Push { uint rgb_first; };
 
 bool behind_rgb(uvec4 tiles, Bounds b) {
+  if (kRgb == 0u) return false;
   const uint last = uint(slice_at(b.farthest)) + volume.guard_after;
   for (uint y = tiles.y; y <= tiles.w; ++y)
     for (uint x = tiles.x; x <= tiles.z; ++x)
       if (rgb_start[y * volume.tiles.x + x] <= last) return true;
+  return false;
+}
+
+bool behind_layers(uvec4 tiles, Bounds b) {
+  if (volume.exact_layers == 0u) return false;
+  for (uint y = tiles.y; y <= tiles.w; ++y)
+    for (uint x = tiles.x; x <= tiles.z; ++x)
+      if (layers_start[y * volume.tiles.x + x] < floatBitsToUint(b.farthest)) return true;
   return false;
 }
 
@@ -41,10 +51,9 @@ uint class_of(uint id) {
   if (!b.seen || (card.optical_depth <= 0.0 && card.emission == uvec2(0u))) return kClassUnseen;
   const uvec4 cells = uvec4(cells_of(card, b, view, volume));
   if (kCullCards != 0u && behind_zero_depth(cells, b)) return kClassUnseen;
-  uint result = b.farthest - b.nearest > 1e-4 * b.farthest || card.transmission != uvec2(0u) ? kClassGeneral : 0u;
-  if (id >= rgb_first) result |= kClassRgb;
-  if (kRgb != 0u && (id >= rgb_first || behind_rgb(cells / kTileCells, b))) result |= kClassBehindRgb;
-  return result;
+  const bool plain = b.farthest - b.nearest <= 1e-4 * b.farthest && card.transmission == uvec2(0u);
+  const uint kind = id >= rgb_first ? kKindRgb : plain ? kKindPlain : kKindGeneral;
+  return 4u * kind + (behind_rgb(cells / kTileCells, b) ? kBehindRgb : 0u) + (behind_layers(cells / kTileCells, b) ? kBehindLayers : 0u);
 }
 
 void main() {

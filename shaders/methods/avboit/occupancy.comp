@@ -4,10 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "methods/avboit/card_cells.glsl"
 #include "methods/avboit/depth_warp.glsl"
+#include "methods/avboit/sharp.glsl"
 
 layout(local_size_x = 256) in;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
+layout(scalar, binding = 11) buffer LayersStart { uint layers_start[]; };   // bits of the nearest depth of a sharp card, a tile
 layout(scalar, binding = 10) buffer Occupancy { uint occupancy[]; };   // [scalar, rgb][tile][kMaskWords]
 
 void main() {
@@ -20,13 +22,16 @@ void main() {
   const uint nearest = uint(slice_at(b.nearest)), farthest = uint(slice_at(b.farthest));
   const uint first = nearest - min(nearest, before), last = min(farthest + after, volume.slices - 1u);
   const uvec4 tiles = uvec4(cells_of(card, b, view, volume)) / kTileCells;
-  const uint base = id >= volume.rgb_first ? volume.tiles.x * volume.tiles.y : 0u;
+  const bool sharp = is_sharp(card, view, volume);
+  const uint base = id >= volume.rgb_first && !sharp ? volume.tiles.x * volume.tiles.y : 0u;
   for (uint y = tiles.y; y <= tiles.w; ++y)
-    for (uint x = tiles.x; x <= tiles.z; ++x)
+    for (uint x = tiles.x; x <= tiles.z; ++x) {
+      if (sharp) atomicMin(layers_start[y * volume.tiles.x + x], floatBitsToUint(b.nearest));
       for (uint w = first / 32u; w <= last / 32u; ++w) {
         const uint from = w == first / 32u ? first & 31u : 0u, to = w == last / 32u ? last & 31u : 31u;
         const uint mask = (0xffffffffu >> (31u - to)) & (0xffffffffu << from);
         const uint word = (base + y * volume.tiles.x + x) * kMaskWords + w;
         if ((mask & ~occupancy[word]) != 0u) atomicOr(occupancy[word], mask);
       }
+    }
 }

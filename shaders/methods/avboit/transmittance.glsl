@@ -5,6 +5,7 @@
 #ifndef PLUME_AVBOIT_TRANSMITTANCE_GLSL
 #define PLUME_AVBOIT_TRANSMITTANCE_GLSL
 #include "methods/avboit/depth_warp.glsl"
+#include "methods/avboit/exact_layers.h"
 
 layout(constant_id = 0) const uint kSampling = 4u;   // 0 point, 1 linear, 2 quadratic, 3 cubic, 4 self-excluded
 layout(constant_id = 1) const uint kLinear = 1u;     // how the splat shared optical depth
@@ -12,6 +13,7 @@ layout(constant_id = 2) const uint kRgb = 0u;        // read each channel
 layout(binding = 10) uniform sampler2DArray integral;      // (before, behind) each slice
 layout(binding = 11) uniform sampler2DArray integral_rg;   // (r before, r behind, g before, g behind)
 layout(binding = 12) uniform sampler2DArray integral_b;
+layout(scalar, binding = 13) readonly buffer Layers { uvec2 layers[]; };   // [layer][pixel]: (transmittance, depth)
 
 // Nodes in front of and behind a slice, a row a channel.
 mat3x2 nodes_of(vec2 uv, uint slice) {
@@ -41,6 +43,19 @@ vec3 value_at(vec2 uv, float place) {
   const vec4 w = spline(part);
   const mat3x2 before = nodes_of(uv, slice - min(slice, 1u)), behind = nodes_of(uv, min(slice + 1u, volume.slices - 1u));
   return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
+}
+
+// What the exact layers in front of a depth leave. Layers within a relative 1e-5 of it are the fragment itself.
+vec3 layers_in_front(uvec2 pixel, float depth) {
+  vec3 t = vec3(1.0);
+  const uint plane = view.size.x * view.size.y, first = pixel.y * view.size.x + pixel.x;
+  const float nearer = depth * 0.99999;
+  for (uint k = 0u; k < volume.exact_layers; ++k) {
+    const uvec2 layer = layers[k * plane + first];
+    if (!(uintBitsToFloat(layer.y) < nearer)) break;   // also where there is none: its bits are no number
+    t *= unpack_layer(layer.x);
+  }
+  return t;
 }
 
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.

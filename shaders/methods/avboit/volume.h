@@ -31,7 +31,7 @@ struct Volume {
   uint zero_guard;      // slices behind it that are still drawn: those that may read in front of it
   uint rgb_first;       // index of the first card whose extinction is kept for each channel
   uint cards;
-  uint padding;
+  uint exact_layers;  // of a pixel, for sharp cards
 };
 
 // What adaptation chose; a table of nodes follows it in the buffer.
