@@ -9,8 +9,8 @@ namespace plume {
 /// Bytes of the `counts` buffer for so many pairs.
 uint64_t radix_counts_bytes(uint32_t pairs);
 
-/// One round: a stable sort by the four bits of the key from `shift` on, from one buffer into the other. Leaves in
-/// `counts` where each digit begins, at [digit * radix_tiles(count)].
+/// One round: a stable sort by the four bits of the key from `shift` on, from one buffer into the other.
+/// Leaves in `counts` where each digit begins, at [digit * radix_tiles(count)].
 void radix_round(gpu::Pass& pass, const gpu::Buffer& from, const gpu::Buffer& to, const gpu::Buffer& counts,
                  uint32_t count, uint32_t shift);
 uint32_t radix_tiles(uint32_t pairs);

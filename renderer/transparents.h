@@ -43,8 +43,8 @@ struct Transparents {
     std::string vertex = "surface/card.vert";
     std::optional<Source> source;  ///< nothing: all cards
     gpu::Constants constants;
-    gpu::Bindings bindings;              ///< the method's own, bindings 8 and up
-    const gpu::Buffer* order = nullptr;  ///< of all cards, instead of the order of submission
+    gpu::Bindings bindings;                 ///< the method's own, bindings 8 and up
+    const gpu::Buffer* order = nullptr;     ///< of all cards, instead of the order of submission
     const gpu::Buffer* indirect = nullptr;  ///< which of `order`, instead of `source`
     uint32_t indirect_index = 0;
     bool count_fragments = false;

@@ -6,7 +6,7 @@
   X(reference)           \
   X(sorted)              \
   X(wboit)               \
-  X(vboit)              \
+  X(vboit)               \
   X(avboit)
 
 namespace plume {

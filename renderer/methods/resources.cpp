@@ -8,9 +8,8 @@ void Resources::fit(gpu::Device& device, const std::string& owner, const Needs& 
     const vk::Extent3D extent{(size.x + need.divisor - 1) / need.divisor,
                               (size.y + need.divisor - 1) / need.divisor, need.depth};
     auto old = images_.find(need.name);
-    const bool fits =
-        old != images_.end() && old->second.format() == need.format && old->second.extent() == extent &&
-        old->second.layers() == std::max(need.layers, 1u);
+    const bool fits = old != images_.end() && old->second.format() == need.format &&
+                      old->second.extent() == extent && old->second.layers() == std::max(need.layers, 1u);
     images[need.name] = fits ? std::move(old->second)
                              : gpu::Image(device, {.owner = owner,
                                                    .label = need.name,

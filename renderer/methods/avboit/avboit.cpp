@@ -1,8 +1,8 @@
 // AVBOIT, adaptive voxel-based order-independent transparency: extinction is splatted into a low-resolution
 // volume, integrated along the rays, and read as the weight of every fragment. Drobot, "Adaptive Voxel-Based
-// Order Independent Transparency", SIGGRAPH 2025 Advances in Real-Time Rendering. VBOIT is the same with slices
-// that are fixed instead of following what is occupied. Each stage is a file beside this one, and each shader
-// holds its stage's equation.
+// Order Independent Transparency", SIGGRAPH 2025 Advances in Real-Time Rendering. VBOIT is the same with
+// slices that are fixed instead of following what is occupied. Each stage is a file beside this one, and each
+// shader holds its stage's equation.
 #include "renderer/methods/avboit/plan.h"
 #include "renderer/methods/methods.h"
 
@@ -32,9 +32,9 @@ class Avboit final : public Method {
     using namespace avboit;
     const Plan plan(settings_, size, transparents);
     Needs needs;
-    for (const auto add : {add_depth_warp_needs, add_occupancy_needs, add_exact_layers_needs,
-                           add_splat_needs, add_integrate_needs,
-                           add_zero_depth_needs, add_classify_needs, add_accumulate_needs})
+    for (const auto add :
+         {add_depth_warp_needs, add_occupancy_needs, add_exact_layers_needs, add_splat_needs,
+          add_integrate_needs, add_zero_depth_needs, add_classify_needs, add_accumulate_needs})
       add(needs, plan);
     return needs;
   }

@@ -21,10 +21,12 @@ void sort_into_draws(gpu::Pass& pass, const Picture& picture, uint32_t count, co
 }  // namespace
 
 void add_classify_needs(Needs& needs, const Plan& plan) {
-  const uint64_t count = std::max(plan.volume.cards, 1u), draws = shared::kClasses * sizeof(shared::ClassDraw);
+  const uint64_t count = std::max(plan.volume.cards, 1u),
+                 draws = shared::kClasses * sizeof(shared::ClassDraw);
   needs.buffers.push_back({.name = "pairs", .bytes = count * 8, .clear = {}});
   needs.buffers.push_back({.name = "sorted_pairs", .bytes = count * 8, .clear = {}});
-  needs.buffers.push_back({.name = "pair_counts", .bytes = radix_counts_bytes(plan.volume.cards), .clear = {}});
+  needs.buffers.push_back(
+      {.name = "pair_counts", .bytes = radix_counts_bytes(plan.volume.cards), .clear = {}});
   needs.buffers.push_back({.name = "source_order", .bytes = count * 4, .clear = {}});
   needs.buffers.push_back({.name = "source_draws", .bytes = draws, .clear = 0});
   needs.buffers.push_back({.name = "class_order", .bytes = count * 4, .clear = {}});

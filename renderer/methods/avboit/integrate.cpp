@@ -27,8 +27,8 @@ void record_integrate(const Picture& picture, const Plan& plan) {
   picture.frame.pass("integrate", [&](gpu::Pass& pass) {
     pass.dispatch(
         pass.pipelines().compute("methods/avboit/integrate.comp",
-                                 {s.sparse ? 1u : 0u, s.lane_bits(), plan.rgb_words(), transmittance ? 1u : 0u,
-                                  transmittance && s.eight_bits ? 1u : 0u}),
+                                 {s.sparse ? 1u : 0u, s.lane_bits(), plan.rgb_words(),
+                                  transmittance ? 1u : 0u, transmittance && s.eight_bits ? 1u : 0u}),
         {{"VolumeBlock", buffer("volume")},
          {"WarpTable", buffer("warp")},
          {"Occupancy", buffer("occupancy")},

@@ -22,14 +22,14 @@ void record_occupancy(const Picture& picture, const Plan& plan) {
                   0u, {gpu::groups(transparents.count, 256), 1, 1});
   });
   picture.frame.pass("clear_extinction", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/clear.comp", {plan.settings.sparse ? 1u : 0u,
-                                                                         plan.settings.lane_bits(),
-                                                                         plan.rgb_words()}),
-                  {volume,
-                   occupancy,
-                   {"Extinction", buffer("extinction")},
-                   {"ExtinctionRgb", buffer("extinction_rgb")}},
-                  0u, {plan.volume.tiles.x, plan.volume.tiles.y, 1});
+    pass.dispatch(
+        pass.pipelines().compute("methods/avboit/clear.comp", {plan.settings.sparse ? 1u : 0u,
+                                                               plan.settings.lane_bits(), plan.rgb_words()}),
+        {volume,
+         occupancy,
+         {"Extinction", buffer("extinction")},
+         {"ExtinctionRgb", buffer("extinction_rgb")}},
+        0u, {plan.volume.tiles.x, plan.volume.tiles.y, 1});
   });
 }
 

@@ -1,5 +1,5 @@
-// One frame of AVBOIT: its settings and what follows from them for a picture and what is drawn in it. Each stage
-// is a file that declares what it needs and records its passes.
+// One frame of AVBOIT: its settings and what follows from them for a picture and what is drawn in it. Each
+// stage is a file that declares what it needs and records its passes.
 #ifndef PLUME_AVBOIT_PLAN_H
 #define PLUME_AVBOIT_PLAN_H
 
@@ -16,14 +16,12 @@ struct Plan {
   Settings settings;
   glm::uvec2 size;  ///< of the picture
   shared::Volume volume;
-  bool rgb;  ///< RGB sources are there and keep extinction for each channel
+  bool rgb;                 ///< RGB sources are there and keep extinction for each channel
   bool coloured;            ///< RGB sources are there and their colours count at all
   uint32_t first_coloured;  ///< index of the first such card
 
   uint64_t rays() const { return uint64_t(volume.cells.x) * volume.cells.y; }
   uint64_t tiles() const { return uint64_t(volume.tiles.x) * volume.tiles.y; }
-  /// Divisor of images that only RGB sources need: without them they are one texel.
-  uint32_t rgb_divisor(uint32_t divisor) const { return coloured ? divisor : 1u << 16; }
   uint32_t rgb_words() const { return !rgb ? 0 : settings.rgb_splat == RgbSplat::kPacked10 ? 1 : 3; }
 };
 

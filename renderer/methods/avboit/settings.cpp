@@ -40,22 +40,21 @@ void Settings::visit(ParameterVisitor& visitor) {
                  "of the volume across the picture: finer silhouettes, for splat time and memory");
   visitor.choice("slices", slices, kSliceNames,
                  "along a ray: more separate closer layers, for memory and integration time");
-  visitor.number("curve_a", curve_a,
-                 {.min = 0.01,
-                  .max = 10000.0,
-                  .unit = "m",
-                  .help = "depth up to which slices are about equally thick"});
+  visitor.number(
+      "curve_a", curve_a,
+      {.min = 0.01, .max = 10000.0, .unit = "m", .help = "depth up to which slices are about equally thick"});
   visitor.number(
       "curve_b", curve_b,
       {.min = 1.0, .max = 100000.0, .unit = "m", .help = "depth of the last slice; farther is in it"});
   if (adaptive) {
     visitor.choice("virtual_slices", virtual_slices, kVirtualNames,
                    "at which adaptation starts: more keep thin ranges finer");
-    visitor.number("slice_thickness", slice_thickness,
-                   {.min = 0.0,
-                    .max = 10.0,
-                    .unit = "m",
-                    .help = "asks for virtual slices this thin instead, up to thickness_range; 0 = do not ask"});
+    visitor.number(
+        "slice_thickness", slice_thickness,
+        {.min = 0.0,
+         .max = 10.0,
+         .unit = "m",
+         .help = "asks for virtual slices this thin instead, up to thickness_range; 0 = do not ask"});
     visitor.number("thickness_range", thickness_range,
                    {.min = 0.1, .max = 10000.0, .unit = "m", .help = "depth up to which it is asked for"});
   }
@@ -76,14 +75,15 @@ void Settings::visit(ParameterVisitor& visitor) {
                   .unit = "slices",
                   .help = "of biased samplings: less self-occludes, more misses what is close in front; the "
                           "talk takes 2 for linear, 2.5 for quadratic and cubic"});
-  visitor.toggle("eight_bits", eight_bits, "biased samplings read transmittance in 8 bits, as the talk stores it");
+  visitor.toggle("eight_bits", eight_bits,
+                 "biased samplings read transmittance in 8 bits, as the talk stores it");
   choice(visitor, "colour", colour, kColours,
          "what coloured glass does to what lies behind it: cheaper modes tint the wrong things");
-  visitor.toggle("normalise", normalise,
-                 "scales the sum so that coverage adds up exactly, for one more target");
-  visitor.choice("exact_layers", exact_layers, kExactNames,
-                 "nearest fragments of hard-edged and small near-opaque cards kept a pixel, instead of in the "
-                 "volume: exact glass and sparks, for memory");
+  visitor.toggle("normalise", normalise, "scales the sum so that coverage adds up exactly");
+  visitor.choice(
+      "exact_layers", exact_layers, kExactNames,
+      "nearest fragments of hard-edged and small near-opaque cards kept a pixel, instead of in the "
+      "volume: exact glass and sparks, for memory");
   choice(visitor, "accumulation", accumulation, kAccumulations, "format of the sums: rounding for bandwidth");
   choice(visitor, "zero_depth", zero_depth, kZeroDepths,
          "does not draw what lies behind opaque smoke: tile quads, or every pixel's depth to compare");

@@ -28,13 +28,11 @@ void add_splat_needs(Needs& needs, const Plan& plan) {
                            .clear = {}});
   needs.buffers.push_back({.name = "overflow", .bytes = rays * 4, .clear = shared::kNoOverflow});
   // A descriptor needs something to point at where there are no RGB sources.
+  needs.buffers.push_back({.name = "extinction_rgb",
+                           .bytes = std::max<uint64_t>(rays * plan.volume.slices * plan.rgb_words() * 4, 4),
+                           .clear = {}});
   needs.buffers.push_back(
-      {.name = "extinction_rgb",
-       .bytes = std::max<uint64_t>(rays * plan.volume.slices * plan.rgb_words() * 4, 4),
-       .clear = {}});
-  needs.buffers.push_back({.name = "overflow_rgb",
-                           .bytes = plan.rgb_words() == 1 ? rays * 16 : 4,
-                           .clear = shared::kNoOverflow});
+      {.name = "overflow_rgb", .bytes = plan.rgb_words() == 1 ? rays * 16 : 4, .clear = shared::kNoOverflow});
 }
 
 void record_splat(const Picture& picture, const Plan& plan) {

@@ -7,7 +7,7 @@
 PLUME_SHARED_BEGIN
 
 const uint kClasses = 16u;
-const uint kClassUnseen = 15u;  // off the screen, dead, hidden, or without a part in these draws
+const uint kClassUnseen = 12u;  // off the screen, dead, hidden, or without a part in these draws
 
 // Where their extinction goes.
 const uint kIntoScalar = 0u;  // the volume, one value
@@ -18,9 +18,9 @@ const uint kIntoLayers = 2u;  // the exact layers of a pixel
 const uint kKindPlain = 0u;    // faces the camera, so it lies in one slice, and passes no light where it covers
 const uint kKindGeneral = 1u;  // spans slices or passes light, all colours alike
 const uint kKindRgb = 2u;      // passes some colours better than others
+const uint kKindExact = 3u;    // is in the exact layers, or shines without covering: its light needs no scaling
 const uint kBehindRgb = 1u;
-const uint kBehindLayers = 2u;
-const uint kDrawClasses = 12u;
+const uint kBehindLayers = 2u;  // always so for kKindExact
 
 struct ClassDraw {  // VkDrawIndirectCommand
   uint vertices;

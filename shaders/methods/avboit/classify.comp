@@ -4,6 +4,7 @@
 #include "methods/avboit/card_class.h"
 #include "methods/avboit/card_cells.glsl"
 #include "methods/avboit/depth_warp.glsl"
+#include "methods/avboit/sharp.glsl"
 #include "methods/avboit/zero_tile.h"
 
 layout(local_size_x = 256) in;
@@ -51,9 +52,11 @@ uint class_of(uint id) {
   if (!b.seen || (card.optical_depth <= 0.0 && card.emission == uvec2(0u))) return kClassUnseen;
   const uvec4 cells = uvec4(cells_of(card, b, view, volume));
   if (kCullCards != 0u && behind_zero_depth(cells, b)) return kClassUnseen;
+  const uint lit_by = behind_rgb(cells / kTileCells, b) ? kBehindRgb : 0u;
+  if (is_sharp(card, view, volume) || only_shines(card)) return 4u * kKindExact + kBehindLayers + lit_by;
   const bool plain = b.farthest - b.nearest <= 1e-4 * b.farthest && card.transmission == uvec2(0u);
   const uint kind = id >= rgb_first ? kKindRgb : plain ? kKindPlain : kKindGeneral;
-  return 4u * kind + (behind_rgb(cells / kTileCells, b) ? kBehindRgb : 0u) + (behind_layers(cells / kTileCells, b) ? kBehindLayers : 0u);
+  return 4u * kind + lit_by + (behind_layers(cells / kTileCells, b) ? kBehindLayers : 0u);
 }
 
 void main() {

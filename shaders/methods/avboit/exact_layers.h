@@ -8,6 +8,7 @@ PLUME_SHARED_BEGIN
 
 // A layer is a 64-bit key: bits of the view depth, above 10 bits of each channel's transmittance.
 const uint kLayerSteps = 1023u;
+const float kTailSteps = 4096.0f;   // of the tail, a unit of optical depth
 const uint kNoLayer = 0xffffffffu;  // in both halves: farther than any
 
 PLUME_SHARED_END

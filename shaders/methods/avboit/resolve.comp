@@ -11,6 +11,7 @@ layout(binding = 8) uniform sampler2D light;
 layout(binding = 9) uniform sampler2D norm;
 layout(binding = 13) uniform sampler2D norm_rgb;
 layout(binding = 10) uniform sampler2D through;
+layout(binding = 14) uniform sampler2D glow;
 layout(binding = 11) uniform sampler2D opaque_color;
 layout(binding = 12, rgba16f) writeonly uniform image2D result;
 layout(push_constant) uniform Push { uvec2 size; };
@@ -21,15 +22,16 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
   const vec4 sums = texelFetch(light, pixel, 0);
-  vec3 passed = vec3(sums.a), covers = vec3(1.0 - sums.a), covered = vec3(texelFetch(norm, pixel, 0).r), skew = vec3(1.0);
-  if (kColour != kMono) {
-    const vec4 tint = texelFetch(through, pixel, 0);
-    passed *= tint.rgb;
-    covers = kColour == kFullRgb ? 1.0 - passed : vec3(1.0 - sums.a * tint.a);
-    if (kColour == kSkew || kColour == kFirstEvent) skew = tint.rgb / max(luma(tint.rgb), 1e-6);
+  const vec4 tint = texelFetch(through, pixel, 0);
+  const vec3 passed = sums.a * tint.rgb;
+  vec3 covers = vec3(1.0 - sums.a * tint.a), covered = vec3(texelFetch(norm, pixel, 0).r), skew = vec3(1.0);
+  if (kColour == kFullRgb) {
+    covers = 1.0 - passed;
+    covered += texelFetch(norm_rgb, pixel, 0).rgb;
   }
-  if (kColour == kFullRgb) covered += texelFetch(norm_rgb, pixel, 0).rgb;
+  if (kColour == kSkew || kColour == kFirstEvent) skew = tint.rgb / max(luma(tint.rgb), 1e-6);
   vec3 seen = sums.rgb * skew;
   if (kNormalise != 0u) seen *= (covers + kEpsilon) / (covered + kEpsilon);
+  seen += texelFetch(glow, pixel, 0).rgb;
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));
 }

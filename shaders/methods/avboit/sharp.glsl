@@ -8,6 +8,7 @@
 #include "shared/view.h"
 
 const float kThin = 0.05;        // optical depth below which an edge is not seen
+const float kBare = 0.004;       // and below which a card that shines does not cover
 const float kNearOpaque = 0.7;   // coverage of a half
 const float kSmallCells = 1.5;   // half extent
 
@@ -19,4 +20,6 @@ bool is_sharp(Card card, ViewData view, Volume volume) {
   const float smaller = min(length(card.axis_u), length(card.axis_v)) * pixels_per_metre;
   return card.optical_depth >= kNearOpaque && smaller < kSmallCells * float(volume.divisor);
 }
+
+bool only_shines(Card card) { return card.emission != uvec2(0u) && card.optical_depth < kBare; }
 #endif

@@ -14,6 +14,7 @@ layout(binding = 10) uniform sampler2DArray integral;      // (before, behind) e
 layout(binding = 11) uniform sampler2DArray integral_rg;   // (r before, r behind, g before, g behind)
 layout(binding = 12) uniform sampler2DArray integral_b;
 layout(scalar, binding = 13) readonly buffer Layers { uvec2 layers[]; };   // [layer][pixel]: (transmittance, depth)
+layout(scalar, binding = 14) readonly buffer LayerTail { uint tail[]; };
 
 // Nodes in front of and behind a slice, a row a channel.
 mat3x2 nodes_of(vec2 uv, uint slice) {
@@ -45,17 +46,19 @@ vec3 value_at(vec2 uv, float place) {
   return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
 }
 
-// What the exact layers in front of a depth leave. Layers within a relative 1e-5 of it are the fragment itself.
-vec3 layers_in_front(uvec2 pixel, float depth) {
+// What the exact layers in front of a depth leave. Layers within a relative 1e-5 of it are the fragment itself; `own` is its optical
+// depth as it may be in the tail.
+vec3 layers_in_front(uvec2 pixel, float depth, float own) {
   vec3 t = vec3(1.0);
   const uint plane = view.size.x * view.size.y, first = pixel.y * view.size.x + pixel.x;
   const float nearer = depth * 0.99999;
-  for (uint k = 0u; k < volume.exact_layers; ++k) {
+  uint k = 0u;
+  for (; k < volume.exact_layers; ++k) {
     const uvec2 layer = layers[k * plane + first];
     if (!(uintBitsToFloat(layer.y) < nearer)) break;   // also where there is none: its bits are no number
     t *= unpack_layer(layer.x);
   }
-  return t;
+  return k == volume.exact_layers ? t * exp(-max(float(tail[first]) / kTailSteps - own, 0.0)) : t;
 }
 
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
