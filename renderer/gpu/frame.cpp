@@ -94,7 +94,7 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
                                         : std::nullopt);
   const vk::Rect2D area{.extent = {draw.area.width, draw.area.height}};
   commands_.beginRendering({.renderArea = area,
-                            .layerCount = 1,
+                            .layerCount = draw.targets.empty() ? 1u : draw.targets.front().image->layers(),
                             .colorAttachmentCount = uint32_t(colors.size()),
                             .pColorAttachments = colors.data(),
                             .pDepthAttachment = draw.depth ? &depth : nullptr});

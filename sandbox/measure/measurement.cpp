@@ -288,7 +288,8 @@ class Measurement {
     FrameResult& frame = job.frame;
     if (contender.missing.empty()) {
       summarise_passes(contender.samples, frame);
-      frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
+      frame.statistics = contender.instance.method->statistics(device_, contender.instance.resources);
+    frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
       Raster<float> error_map;
       frame.error = compare(reference, *contender.picture, error_map);
       if (!frame.image.empty()) write_png(options_.out / frame.image, contender.picture->display);

@@ -69,6 +69,7 @@ FrameResult frame_from_json(const json& from) {
                    .max = number_or_infinity(error.at("max")),
                    .max_x = error.at("max_at").at(0),
                    .max_y = error.at("max_at").at(1)};
+  frame.statistics = from.at("statistics");
   frame.image = text_of(from.at("image"));
   frame.error_map = text_of(from.at("error_map"));
   return frame;
@@ -103,6 +104,7 @@ json to_json(const FrameResult& frame) {
           {"gpu_ms", frame.gpu_ms},
           {"memory_bytes", frame.memory_bytes},
           {"error", error},
+          {"statistics", frame.statistics},
           {"image", text_or_null(frame.image)},
           {"error_map", text_or_null(frame.error_map)}};
 }

@@ -38,6 +38,7 @@ struct FrameResult {
   double gpu_ms = 0;                  ///< median over the repetitions of the sum of passes
   uint64_t memory_bytes = 0;          ///< of the method's own images and buffers
   std::optional<ErrorSummary> error;  ///< against the exact reference
+  nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
   std::string image, error_map;       ///< file names beside results.json; "" = not written
 };
 

@@ -41,7 +41,7 @@ class Avboit final : public Method {
 
   const gpu::Image& prepare(const Picture& picture) override {
     using namespace avboit;
-    const Plan plan(settings_, picture.size, picture.transparents);
+    const Plan& plan = drawn_.emplace(settings_, picture.size, picture.transparents);
     record_depth_warp(picture, plan);
     record_occupancy(picture, plan);
     record_sources(picture, plan);
@@ -53,12 +53,18 @@ class Avboit final : public Method {
     return settings_.cull_opaque ? visible_depth(picture, plan) : picture.opaque_depth;
   }
 
+  nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
+    if (!drawn_) return nlohmann::json::object();
+    return avboit::statistics(device, resources, *drawn_);
+  }
+
   void record(const Picture& picture) override {
-    avboit::record_accumulate(picture, avboit::Plan(settings_, picture.size, picture.transparents));
+    avboit::record_accumulate(picture, *drawn_);
   }
 
  private:
   avboit::Settings settings_;
+  std::optional<avboit::Plan> drawn_;  // of the last frame
 };
 
 }  // namespace

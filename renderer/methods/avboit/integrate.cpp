@@ -28,7 +28,8 @@ void record_integrate(const Picture& picture, const Plan& plan) {
     pass.dispatch(
         pass.pipelines().compute("methods/avboit/integrate.comp",
                                  {s.sparse ? 1u : 0u, s.lane_bits(), plan.rgb_words(),
-                                  transmittance ? 1u : 0u, transmittance && s.eight_bits ? 1u : 0u}),
+                                  transmittance ? 1u : 0u, transmittance && s.eight_bits ? 1u : 0u, plan.raster() ? 1u : 0u,
+                                  plan.rgb ? 1u : 0u}),
         {{"VolumeBlock", buffer("volume")},
          {"WarpTable", buffer("warp")},
          {"Occupancy", buffer("occupancy")},
@@ -39,6 +40,8 @@ void record_integrate(const Picture& picture, const Plan& plan) {
          {"integral", &picture.resources.image("integral")},
          {"integral_rg", &picture.resources.image("integral_rg")},
          {"integral_b", &picture.resources.image("integral_b")},
+         {"extinction_layers", &picture.resources.image("extinction_layers")},
+         {"extinction_layers_rgb", &picture.resources.image("extinction_layers_rgb")},
          {"ZeroSlice", buffer("zero_slice")},
          {"RgbStart", buffer("rgb_start")}},
         0u, {plan.volume.tiles.x, plan.volume.tiles.y, 1});

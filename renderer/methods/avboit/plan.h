@@ -22,8 +22,17 @@ struct Plan {
 
   uint64_t rays() const { return uint64_t(volume.cells.x) * volume.cells.y; }
   uint64_t tiles() const { return uint64_t(volume.tiles.x) * volume.tiles.y; }
-  uint32_t rgb_words() const { return !rgb ? 0 : settings.rgb_splat == RgbSplat::kPacked10 ? 1 : 3; }
+  bool raster() const { return settings.splat == Splat::kRaster; }
+  bool rgb_raster() const { return rgb && settings.rgb_splat == RgbSplat::kRaster; }
+  /// Words of RGB extinction a slice in the buffer.
+  uint32_t rgb_words() const {
+    if (!rgb || rgb_raster()) return 0;
+    return settings.rgb_splat == RgbSplat::kPacked10 ? 1 : 3;
+  }
 };
+
+/// What the last frame of this plan left in the method's buffers. Waits for the device.
+nlohmann::json statistics(gpu::Device& device, const Resources& resources, const Plan& plan);
 
 void add_depth_warp_needs(Needs& needs, const Plan& plan);
 /// coverage, adapt: which virtual slices are occupied, and the table from depth to physical slice.

@@ -16,7 +16,7 @@ constexpr std::string_view kVirtualNames[] = {"1024", "2048", "4096", "8192", "1
 constexpr uint32_t kLeastVirtualChoice = 1024;
 constexpr std::string_view kSplats[] = {"packed8",  "packed8_exchange", "packed8_overflow",
                                         "packed16", "words32",          "raster"};
-constexpr std::string_view kRgbSplats[] = {"packed10", "words32"};
+constexpr std::string_view kRgbSplats[] = {"packed10", "words32", "raster"};
 constexpr std::string_view kExactNames[] = {"0", "2", "4", "8"};
 constexpr uint32_t kExactLayers[] = {0, 2, 4, 8};
 constexpr std::string_view kSamples[] = {"1", "4"};
@@ -59,7 +59,8 @@ void Settings::visit(ParameterVisitor& visitor) {
                    {.min = 0.1, .max = 10000.0, .unit = "m", .help = "depth up to which it is asked for"});
   }
   choice(visitor, "splat", splat, kSplats,
-         "how optical depth of scalar sources is stored: more bits keep thin smoke, fewer take less memory");
+         "how optical depth of scalar sources is stored: more bits keep thin smoke, fewer take less memory; raster "
+         "multiplies transmittance into layers and takes each card as one slice");
   choice(visitor, "rgb_splat", rgb_splat, kRgbSplats,
          "the same of RGB sources: packed carries into the next channel after four saturated events");
   visitor.toggle("linear_splat", linear_splat, "shares optical depth between two slices: smooth over depth");
@@ -100,13 +101,15 @@ uint32_t Settings::slice_count() const {
   return kSliceCounts[slices];
 }
 
-uint32_t Settings::virtual_slice_count() const {
+double Settings::virtual_slices_asked() const {
   if (slice_thickness <= 0.0f) return kLeastVirtualChoice << virtual_slices;
   // A slice at z is (a + z) ln(1 + b / a) / n thick.
-  const double n =
-      (curve_a + thickness_range) * std::log1p(double(curve_b) / curve_a) / double(slice_thickness);
-  return std::clamp(std::bit_ceil(uint32_t(std::min(std::ceil(n), 1e6))), shared::kMostSlices,
-                    shared::kMostVirtualSlices);
+  return std::ceil((curve_a + thickness_range) * std::log1p(double(curve_b) / curve_a) / double(slice_thickness));
+}
+
+uint32_t Settings::virtual_slice_count() const {
+  const double asked = std::min(virtual_slices_asked(), double(shared::kMostVirtualSlices));
+  return std::max(std::bit_ceil(uint32_t(asked)), shared::kMostSlices);
 }
 
 uint32_t Settings::exact_layer_count() const {

@@ -8,7 +8,7 @@ namespace plume::avboit {
 
 enum class Sampling : int { kPoint, kLinear, kQuadratic, kCubic, kSelfExcluded };
 enum class Splat : int { kPacked8, kPacked8Exchange, kPacked8Overflow, kPacked16Overflow, kWords32, kRaster };
-enum class RgbSplat : int { kPacked10, kWords32 };
+enum class RgbSplat : int { kPacked10, kWords32, kRaster };
 enum class Colour : int { kMono, kTotalExtinction, kSkew, kFirstEvent, kRgb };
 enum class Accumulation : int { kR11G11B10, kHalf, kFloat };
 enum class ZeroDepth : int { kOff, kQuads, kFullscreen };
@@ -41,6 +41,7 @@ struct Settings {
   uint32_t slice_count() const;
   /// At the finest: as chosen, or the least that makes slices thin enough over the range asked for.
   uint32_t virtual_slice_count() const;
+  double virtual_slices_asked() const;  ///< before they are rounded up to a power of two, or limited
   uint32_t lane_bits() const;
   uint32_t exact_layer_count() const;
 };

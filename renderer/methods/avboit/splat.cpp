@@ -27,6 +27,15 @@ void add_splat_needs(Needs& needs, const Plan& plan) {
                            .bytes = rays * plan.volume.slices * plan.settings.lane_bits() / 8,
                            .clear = {}});
   needs.buffers.push_back({.name = "overflow", .bytes = rays * 4, .clear = shared::kNoOverflow});
+  const auto add_layers = [&](const char* name, vk::Format format, bool wanted) {
+    needs.images.push_back({.name = name,
+                            .format = format,
+                            .usage = kTargetUsage,
+                            .divisor = wanted ? plan.volume.divisor : 1u << 16,
+                            .layers = wanted ? plan.volume.slices : 1});
+  };
+  add_layers("extinction_layers", vk::Format::eR8Unorm, plan.raster());
+  add_layers("extinction_layers_rgb", vk::Format::eA2B10G10R10UnormPack32, plan.rgb_raster());
   // A descriptor needs something to point at where there are no RGB sources.
   needs.buffers.push_back({.name = "extinction_rgb",
                            .bytes = std::max<uint64_t>(rays * plan.volume.slices * plan.rgb_words() * 4, 4),
@@ -65,11 +74,36 @@ void record_splat(const Picture& picture, const Plan& plan) {
                                      .indirect_index = into,
                                      .covered = glm::vec2(plan.size) / glm::vec2(v.cells * v.divisor)});
   };
+  const auto draw_layers = [&](gpu::Pass& pass, const char* target, uint32_t into) {
+    const gpu::Image& layers = picture.resources.image(target);
+    pass.clear(layers, {1, 1, 1, 1});
+    pass.barrier();
+    for (uint32_t beyond = 0; beyond < (plan.settings.linear_splat ? 2u : 1u); ++beyond) {
+      gpu::Constants constants = common;
+      constants.insert(constants.end(), {into == shared::kIntoRgb ? 1u : 0u, beyond});
+      picture.transparents.draw(pass, {.fragment = "methods/avboit/splat_layer.frag",
+                                       .targets = {{.image = &layers, .blend = gpu::Blend::kMultiply, .clear = {}}},
+                                       .opaque_depth = &farthest,
+                                       .area = {v.cells.x, v.cells.y},
+                                       .vertex = "methods/avboit/splat_layer.vert",
+                                       .constants = std::move(constants),
+                                       .bindings = {volume, warp},
+                                       .order = buffer("source_order"),
+                                       .indirect = buffer("source_draws"),
+                                       .indirect_index = into,
+                                       .covered = glm::vec2(plan.size) / glm::vec2(v.cells * v.divisor)});
+    }
+  };
   picture.frame.pass("splat", [&](gpu::Pass& pass) {
-    draw(pass, "methods/avboit/splat.frag", shared::kIntoScalar,
+    if (plan.raster())
+      draw_layers(pass, "extinction_layers", shared::kIntoScalar);
+    else
+      draw(pass, "methods/avboit/splat.frag", shared::kIntoScalar,
          {plan.settings.lane_bits(), overflow_handling(plan.settings.splat)},
          {{"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}});
-    if (plan.rgb)
+    if (plan.rgb_raster())
+      draw_layers(pass, "extinction_layers_rgb", shared::kIntoRgb);
+    else if (plan.rgb)
       draw(pass, "methods/avboit/splat_rgb.frag", shared::kIntoRgb, {plan.rgb_words() == 1 ? 1u : 0u},
            {{"ExtinctionRgb", buffer("extinction_rgb")}, {"OverflowRgb", buffer("overflow_rgb")}});
   });

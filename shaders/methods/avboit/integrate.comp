@@ -10,7 +10,9 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const uint kLaneBits = 16u;
-layout(constant_id = 2) const uint kRgbWords = 3u;         // of extinction a slice: 0 none, 1 packed, 3 apart
+layout(constant_id = 2) const uint kRgbWords = 3u;         // of extinction a slice: 0 in layers, 1 packed, 3 apart
+layout(constant_id = 5) const uint kRaster = 0u;           // scalar extinction is in layers, as transmittance
+layout(constant_id = 6) const uint kRgb = 0u;              // RGB sources are there
 layout(constant_id = 3) const uint kTransmittance = 0u;    // stored instead of optical depth
 layout(constant_id = 4) const uint kEightBits = 0u;        // transmittance rounded as an 8-bit image would
 layout(scalar, binding = 11) readonly buffer Extinction { uint extinction[]; };
@@ -24,19 +26,29 @@ layout(scalar, binding = 18) writeonly buffer RgbStart { uint rgb_start[]; };   
 layout(binding = 19) writeonly uniform image2DArray integral_b;
 layout(scalar, binding = 9) readonly buffer WarpTable { DepthWarp warp; };
 
+layout(binding = 20) uniform sampler2DArray extinction_layers;
+layout(binding = 21) uniform sampler2DArray extinction_layers_rgb;
+
+float depth_left(float through) { return through > 0.0 ? -log(through) : kSaturatedDepth; }
+
 float stored(float tau) {
   if (kTransmittance == 0u) return tau;
   const float t = tau >= kSaturatedDepth ? 0.0 : exp(-tau);
   return kEightBits != 0u ? round(t * 255.0) / 255.0 : t;
 }
 
-float scalar_depth(uint ray, uint slice) {
+float scalar_depth(ivec2 cell, uint ray, uint slice) {
+  if (kRaster != 0u) return depth_left(texelFetch(extinction_layers, ivec3(cell, slice), 0).r);
   const uint lanes = 32u / kLaneBits;
   const uint word = extinction[ray * (volume.slices / lanes) + slice / lanes];
   return float((word >> (kLaneBits * (slice % lanes))) & full_field(kLaneBits)) / steps_per_depth(kLaneBits);
 }
 
-vec3 rgb_depth(uint ray, uint slice) {
+vec3 rgb_depth(ivec2 cell, uint ray, uint slice) {
+  if (kRgbWords == 0u) {
+    const vec3 through = texelFetch(extinction_layers_rgb, ivec3(cell, slice), 0).rgb;
+    return vec3(depth_left(through.r), depth_left(through.g), depth_left(through.b));
+  }
   if (kRgbWords == 1u) {
     const uint word = extinction_rgb[ray * volume.slices + slice];
     return vec3(uvec3(word, word >> 10, word >> 20) & 1023u) / steps_per_depth(8u);
@@ -48,7 +60,7 @@ vec3 rgb_depth(uint ray, uint slice) {
 void main() {
   const uvec2 cell = gl_GlobalInvocationID.xy;
   const uint masks = (warp.used + 31u) / 32u;
-  if (kRgbWords != 0u && gl_LocalInvocationIndex == 0u) {
+  if (kRgb != 0u && gl_LocalInvocationIndex == 0u) {
     uint start = kNoSlice;
     for (uint m = masks; m-- > 0u;) {
       const uint mask = rgb_mask(tile_index(), m);
@@ -66,17 +78,17 @@ void main() {
   vec3 tau_rgb = vec3(0.0), all_before = vec3(stored(0.0));
   uint zero = kNoSlice;
   for (uint m = 0u; m < masks; ++m) {
-    const uint scalar = scalar_mask(tile_index(), m), rgb = kRgbWords != 0u ? rgb_mask(tile_index(), m) : 0u;
+    const uint scalar = scalar_mask(tile_index(), m), rgb = kRgb != 0u ? rgb_mask(tile_index(), m) : 0u;
     for (uint mask = scalar | rgb; mask != 0u; mask &= mask - 1u) {
       const uint bit = mask & -mask, slice = m * 32u + uint(findLSB(mask));
       if (slice >= warp.used) break;
       const float before = stored(tau);
-      if ((scalar & bit) != 0u) tau += scalar_depth(ray, slice);
+      if ((scalar & bit) != 0u) tau += scalar_depth(ivec2(cell), ray, slice);
       if (slice >= saturated) tau = kSaturatedDepth;
       imageStore(integral, ivec3(cell, slice), vec4(before, stored(tau), 0.0, 0.0));
       float least = tau;
-      if (kRgbWords != 0u) {
-        if ((rgb & bit) != 0u) tau_rgb += rgb_depth(ray, slice);
+      if (kRgb != 0u) {
+        if ((rgb & bit) != 0u) tau_rgb += rgb_depth(ivec2(cell), ray, slice);
         tau_rgb = mix(tau_rgb, vec3(kSaturatedDepth), greaterThanEqual(uvec3(slice), saturated_rgb));
         const vec3 all = min(tau + tau_rgb, vec3(2.0 * kSaturatedDepth));
         const vec3 behind = vec3(stored(all.r), stored(all.g), stored(all.b));
