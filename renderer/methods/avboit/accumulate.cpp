@@ -15,52 +15,91 @@ vk::Format sum_format(Accumulation accumulation) {
   throw std::logic_error("unknown accumulation");
 }
 
+/// Of transmittance: the short floats of 11:11:10 would lose it.
+vk::Format through_format(Accumulation accumulation) {
+  return accumulation == Accumulation::kFloat ? vk::Format::eR32G32B32A32Sfloat : kHdrFormat;
+}
+
+void record_half_depth(const Picture& picture, const Plan& plan) {
+  const gpu::Image& visible = picture.resources.image("half_visible");
+  const gpu::Image& opaque = picture.resources.image("half_opaque");
+  const glm::uvec2 half = (plan.size + 1u) / 2u;
+  picture.frame.pass("half_depth", [&](gpu::Pass& pass) {
+    pass.dispatch(pass.pipelines().compute("methods/avboit/half_depth.comp"),
+                  {{"opaque_depth", &picture.opaque_depth}, {"half_opaque", &opaque}}, half,
+                  {gpu::groups(half.x, 8), gpu::groups(half.y, 8), 1});
+    pass.draw({.vertex = "post/fullscreen.vert",
+               .fragment = "methods/avboit/half_depth.frag",
+               .targets = {},
+               .depth = &visible,
+               .depth_use = gpu::DepthUse::kTestAndWrite,
+               .clear_depth = true,
+               .area = {half.x, half.y},
+               .constants = {},
+               .bindings = {{"visible_depth", &visible_depth(picture, plan)}}},
+              0u);
+  });
+}
+
 }  // namespace
 
 void add_accumulate_needs(Needs& needs, const Plan& plan) {
   const vk::Format format = sum_format(plan.settings.accumulation);
-  needs.images.push_back({.name = "light", .format = format, .usage = kTargetUsage});
-  needs.images.push_back({.name = "glow", .format = format, .usage = kTargetUsage});
-  needs.images.push_back({.name = "norm", .format = vk::Format::eR16Sfloat, .usage = kTargetUsage});
-  needs.images.push_back({.name = "norm_rgb",
-                          .format = format,
-                          .usage = kTargetUsage,
-                          .divisor = plan.coloured ? 1u : 1u << 16});
-  needs.images.push_back({.name = "through", .format = format, .usage = kTargetUsage});
+  const vk::Format through = through_format(plan.settings.accumulation);
+  constexpr uint32_t kNowhere = 1u << 16;  // divisor: one texel
+  const auto add = [&](const char* name, vk::Format of, uint32_t divisor, vk::ImageUsageFlags usage) {
+    needs.images.push_back({.name = name, .format = of, .usage = usage, .divisor = divisor});
+  };
+  const uint32_t half = plan.settings.half_particles ? 2 : kNowhere;
+  add("light", format, 1, kTargetUsage);
+  add("glow", format, 1, kTargetUsage);
+  add("norm", vk::Format::eR16Sfloat, 1, kTargetUsage);
+  add("norm_rgb", format, plan.coloured ? 1 : kNowhere, kTargetUsage);
+  add("through", through, 1, kTargetUsage);
+  add("light_half", format, half, kTargetUsage);
+  add("norm_half", vk::Format::eR16Sfloat, half, kTargetUsage);
+  add("norm_rgb_half", format, plan.coloured ? half : kNowhere, kTargetUsage);
+  add("through_half", through, half, kTargetUsage);
+  add("half_visible", vk::Format::eD32Sfloat, half, vk::ImageUsageFlagBits::eDepthStencilAttachment);
+  add("half_opaque", vk::Format::eR32Sfloat, half,
+      vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled);
 }
 
 void record_accumulate(const Picture& picture, const Plan& plan) {
-  const auto image = [&](const char* name) { return &picture.resources.image(name); };
+  const auto image = [&](const std::string& name) { return &picture.resources.image(name); };
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   const Settings& s = plan.settings;
   const Colour colour = plan.coloured ? s.colour : Colour::kMono;
+  if (s.half_particles) record_half_depth(picture, plan);
 
   const auto draw = [&](gpu::Pass& pass, uint32_t card_class) {
     const uint32_t kind = card_class / 4;
     const bool exact = kind == shared::kKindExact, behind_rgb = card_class & shared::kBehindRgb,
                behind_layers = card_class & shared::kBehindLayers;
-    const bool tints = exact || kind == shared::kKindRgb;
+    const bool half = s.half_particles && kind == shared::kKindPlain;
+    const bool tints = exact || kind == shared::kKindRgb || s.accumulation == Accumulation::kR11G11B10;
     const bool each_channel =
         colour == Colour::kRgb && (kind == shared::kKindRgb || exact || behind_rgb || behind_layers);
     // What a kind of card does not need comes last, and is left out.
     std::vector<gpu::Attachment> targets;
-    const auto add = [&](const char* name, gpu::Blend blend) {
-      targets.push_back({.image = image(name), .blend = blend, .clear = {}});
+    const auto add = [&](const std::string& name, gpu::Blend blend) {
+      targets.push_back({.image = image(half ? name + "_half" : name), .blend = blend, .clear = {}});
     };
     add("light", gpu::Blend::kAddMultiplyAlpha);
     add(each_channel ? "norm_rgb" : "norm", gpu::Blend::kAdd);
     if (tints) add("through", gpu::Blend::kMultiply);
     if (exact) add("glow", gpu::Blend::kAdd);
+    const glm::uvec2 area = half ? (plan.size + 1u) / 2u : plan.size;
     picture.transparents.draw(
         pass, {.fragment = "methods/avboit/accumulate.frag",
                .targets = std::move(targets),
-               .depth_test = &visible_depth(picture, plan),
-               .opaque_depth = &picture.opaque_depth,
-               .area = picture.area(),
+               .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
+               .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
+               .area = {area.x, area.y},
                .vertex = "methods/avboit/card_at_slice.vert",
                .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
                              tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
-                             behind_layers ? 1u : 0u, exact ? 1u : 0u},
+                             behind_layers ? 1u : 0u, exact ? 1u : 0u, half ? 2u : 1u},
                .bindings = {{"VolumeBlock", buffer("volume")},
                             {"WarpTable", buffer("warp")},
                             {"Layers", buffer("layers")},
@@ -71,14 +110,17 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                .order = buffer("class_order"),
                .indirect = buffer("class_draws"),
                .indirect_index = card_class,
-               .count_fragments = true});
+               .count_fragments = true,
+               .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))});
   };
   picture.frame.pass("draw", [&](gpu::Pass& pass) {
-    pass.clear(*image("light"), {0, 0, 0, 1});
+    for (const char* end : {"", "_half"}) {
+      pass.clear(*image(std::string("light") + end), {0, 0, 0, 1});
+      pass.clear(*image(std::string("norm") + end), {0, 0, 0, 0});
+      pass.clear(*image(std::string("norm_rgb") + end), {0, 0, 0, 0});
+      pass.clear(*image(std::string("through") + end), {1, 1, 1, 1});
+    }
     pass.clear(*image("glow"), {0, 0, 0, 0});
-    pass.clear(*image("norm"), {0, 0, 0, 0});
-    pass.clear(*image("norm_rgb"), {0, 0, 0, 0});
-    pass.clear(*image("through"), {1, 1, 1, 1});
     pass.barrier();
     for (uint32_t c = 0; c < shared::kClasses; ++c) {
       const uint32_t kind = c / 4;
@@ -91,15 +133,23 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     }
   });
   picture.frame.pass("resolve", [&](gpu::Pass& pass) {
-    pass.dispatch(
-        pass.pipelines().compute("methods/avboit/resolve.comp", {s.normalise ? 1u : 0u, uint32_t(colour)}),
-        {{"light", image("light")},
-         {"norm", image("norm")},
-         {"norm_rgb", image("norm_rgb")},
-         {"through", image("through")},
-         {"glow", image("glow")},
-         {"opaque_color", &picture.opaque_color},
-         {"result", &picture.result}},
+    pass.dispatch(pass.pipelines().compute(
+                      "methods/avboit/resolve.comp",
+                      {s.normalise ? 1u : 0u, uint32_t(colour), s.half_particles ? 1u : 0u,
+                       s.accumulation == Accumulation::kR11G11B10 ? 0u : 1u}),
+                  {{"light", image("light")},
+                   {"norm", image("norm")},
+                   {"norm_rgb", image("norm_rgb")},
+                   {"through", image("through")},
+                   {"light_half", image("light_half")},
+                   {"norm_half", image("norm_half")},
+                   {"norm_rgb_half", image("norm_rgb_half")},
+                   {"through_half", image("through_half")},
+                   {"half_opaque", image("half_opaque")},
+                   {"opaque_depth", &picture.opaque_depth},
+                   {"glow", image("glow")},
+                   {"opaque_color", &picture.opaque_color},
+                   {"result", &picture.result}},
         picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
   });
 }

@@ -90,6 +90,9 @@ void Settings::visit(ParameterVisitor& visitor) {
          "does not draw what lies behind opaque smoke: tile quads, or every pixel's depth to compare");
   visitor.number("zero_transmittance", zero_transmittance,
                  {.min = 1e-6, .max = 0.1, .unit = "", .help = "below this nothing behind is drawn"});
+  visitor.toggle("half_particles", half_particles,
+                 "draws soft particles at half the resolution beside everything else: a quarter of the fragments, "
+                 "coarser edges");
   visitor.toggle("cull_opaque", cull_opaque, "does not shade opaque things behind opaque smoke either");
 }
 

@@ -33,6 +33,7 @@ struct Settings {
   ZeroDepth zero_depth = ZeroDepth::kQuads;
   float zero_transmittance = 1.0f / 1024;
   bool cull_opaque = false;
+  bool half_particles = false;
   int exact_layers = 2;  ///< index into kExactLayers
 
   void visit(ParameterVisitor& visitor);

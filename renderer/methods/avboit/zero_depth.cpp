@@ -16,7 +16,8 @@ void add_zero_depth_needs(Needs& needs, const Plan& plan) {
   const uint64_t count = uint64_t(tiles.x) * tiles.y;
   needs.images.push_back({.name = "visible_depth",
                           .format = vk::Format::eD32Sfloat,
-                          .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment});
+                          .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment |
+                                   vk::ImageUsageFlagBits::eSampled});
   needs.buffers.push_back({.name = "zero_draw", .bytes = sizeof(shared::ZeroDraw), .clear = {}});
   needs.buffers.push_back({.name = "zero_tiles", .bytes = count * sizeof(shared::ZeroTile), .clear = {}});
   needs.buffers.push_back({.name = "zero_depths", .bytes = count * 4, .clear = {}});

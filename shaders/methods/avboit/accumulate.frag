@@ -18,6 +18,8 @@ layout(constant_id = 5) const uint kColour = kFullRgb;
 layout(constant_id = 7) const uint kExact = 0u;          // its optical depth is in the layers, not in the volume
 layout(constant_id = 6) const uint kBehindLayers = 0u;
 
+layout(constant_id = 8) const uint kScale = 1u;          // pixels of the picture a fragment, each way
+
 layout(location = 7) flat in float v_slice;
 
 layout(location = 0) out vec4 light;
@@ -31,9 +33,10 @@ void main() {
   const vec3 passed = kTints != 0u && kColour != kMono ? transmittance(f) : vec3(gray);
   const vec3 weighed = kColour == kFullRgb ? passed : vec3(gray);
   const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(f.optical_depth);
-  vec3 t = transmittance_at(gl_FragCoord.xy, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
+  const vec2 pixel = gl_FragCoord.xy * float(kScale);
+  vec3 t = transmittance_at(pixel, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
   if (kBehindLayers != 0u) {
-    const vec3 layers_t = layers_in_front(uvec2(gl_FragCoord.xy), f.depth, kExact != 0u ? -log(max(gray, kLeastTransmittance)) : 0.0);
+    const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, kExact != 0u ? -log(max(gray, kLeastTransmittance)) : 0.0);
     t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
   }
   vec3 seen = f.color + (kExact != 0u ? vec3(0.0) : f.emission);

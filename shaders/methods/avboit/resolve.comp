@@ -7,31 +7,74 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNormalise = 1u;
 layout(constant_id = 1) const uint kColour = kFullRgb;
+layout(constant_id = 2) const uint kHalf = 0u;        // soft particles were drawn at half resolution
+layout(constant_id = 3) const uint kHasAlpha = 1u;    // of `light`: 11:11:10 has none
 layout(binding = 8) uniform sampler2D light;
 layout(binding = 9) uniform sampler2D norm;
-layout(binding = 13) uniform sampler2D norm_rgb;
 layout(binding = 10) uniform sampler2D through;
-layout(binding = 14) uniform sampler2D glow;
-layout(binding = 11) uniform sampler2D opaque_color;
-layout(binding = 12, rgba16f) writeonly uniform image2D result;
+layout(binding = 11) uniform sampler2D norm_rgb;
+layout(binding = 12) uniform sampler2D glow;
+layout(binding = 13) uniform sampler2D light_half;
+layout(binding = 14) uniform sampler2D norm_half;
+layout(binding = 15) uniform sampler2D through_half;
+layout(binding = 16) uniform sampler2D norm_rgb_half;
+layout(binding = 17) uniform sampler2D half_opaque;
+layout(binding = 18) uniform sampler2D opaque_depth;
+layout(binding = 19) uniform sampler2D opaque_color;
+layout(binding = 20, rgba16f) writeonly uniform image2D result;
 layout(push_constant) uniform Push { uvec2 size; };
 
 const float kEpsilon = 1.0 / 1024.0;
 
+struct Sums {
+  vec4 light;     // rgb: sum (C a + E) T, a: prod(1 - a)
+  vec4 through;   // rgb: prod t, a: prod(mean t)
+  vec3 norm;      // sum a T
+};
+
+Sums full_sums(ivec2 pixel) {
+  Sums s = Sums(texelFetch(light, pixel, 0), texelFetch(through, pixel, 0), vec3(texelFetch(norm, pixel, 0).r));
+  if (kColour == kFullRgb) s.norm += texelFetch(norm_rgb, pixel, 0).rgb;
+  if (kHasAlpha == 0u) s.light.a = 1.0;
+  return s;
+}
+
+// Bilinear between the four nearest texels, of which those count that see the same depth: no halo at the edges of opaque things.
+Sums half_sums(ivec2 pixel) {
+  Sums s = Sums(vec4(0.0), vec4(0.0), vec3(0.0));
+  const vec2 at = (vec2(pixel) + 0.5) * 0.5 - 0.5, part = fract(at);
+  const ivec2 last = textureSize(light_half, 0) - 1;
+  const float here = texelFetch(opaque_depth, pixel, 0).r;
+  float total = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const ivec2 step = ivec2(i & 1, i >> 1), from = clamp(ivec2(floor(at)) + step, ivec2(0), last);
+    const vec2 near = mix(1.0 - part, part, vec2(step));
+    const float there = texelFetch(half_opaque, from, 0).r;
+    const float w = near.x * near.y / (0.02 + abs(there - here) / max(max(there, here), 1e-9));
+    s.light += w * texelFetch(light_half, from, 0);
+    s.through += w * texelFetch(through_half, from, 0);
+    s.norm += w * texelFetch(norm_half, from, 0).r;
+    if (kColour == kFullRgb) s.norm += w * texelFetch(norm_rgb_half, from, 0).rgb;
+    total += w;
+  }
+  s.light /= total, s.through /= total, s.norm /= total;
+  if (kHasAlpha == 0u) s.light.a = 1.0;
+  return s;
+}
+
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
-  const vec4 sums = texelFetch(light, pixel, 0);
-  const vec4 tint = texelFetch(through, pixel, 0);
-  const vec3 passed = sums.a * tint.rgb;
-  vec3 covers = vec3(1.0 - sums.a * tint.a), covered = vec3(texelFetch(norm, pixel, 0).r), skew = vec3(1.0);
-  if (kColour == kFullRgb) {
-    covers = 1.0 - passed;
-    covered += texelFetch(norm_rgb, pixel, 0).rgb;
+  Sums s = full_sums(pixel);
+  if (kHalf != 0u) {   // sums of the same kind: nothing is composited, so both resolutions mix in depth
+    const Sums h = half_sums(pixel);
+    s = Sums(vec4(s.light.rgb + h.light.rgb, s.light.a * h.light.a), s.through * h.through, s.norm + h.norm);
   }
-  if (kColour == kSkew || kColour == kFirstEvent) skew = tint.rgb / max(luma(tint.rgb), 1e-6);
-  vec3 seen = sums.rgb * skew;
-  if (kNormalise != 0u) seen *= (covers + kEpsilon) / (covered + kEpsilon);
+  const vec3 passed = s.light.a * s.through.rgb;
+  const vec3 covers = kColour == kFullRgb ? 1.0 - passed : vec3(1.0 - s.light.a * s.through.a);
+  vec3 seen = s.light.rgb;
+  if (kColour == kSkew || kColour == kFirstEvent) seen *= s.through.rgb / max(luma(s.through.rgb), 1e-6);
+  if (kNormalise != 0u) seen *= (covers + kEpsilon) / (s.norm + kEpsilon);
   seen += texelFetch(glow, pixel, 0).rgb;
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));
 }
