@@ -51,6 +51,7 @@ void add_accumulate_needs(Needs& needs, const Plan& plan) {
     needs.images.push_back({.name = name, .format = of, .usage = usage, .divisor = divisor});
   };
   const uint32_t half = plan.settings.half_particles ? 2 : kNowhere;
+  needs.buffers.push_back({.name = "flagged", .bytes = 4, .clear = 0});
   add("light", format, 1, kTargetUsage);
   add("glow", format, 1, kTargetUsage);
   add("norm", vk::Format::eR16Sfloat, 1, kTargetUsage);
@@ -136,7 +137,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     pass.dispatch(pass.pipelines().compute(
                       "methods/avboit/resolve.comp",
                       {s.normalise ? 1u : 0u, uint32_t(colour), s.half_particles ? 1u : 0u,
-                       s.accumulation == Accumulation::kR11G11B10 ? 0u : 1u}),
+                       s.accumulation == Accumulation::kR11G11B10 ? 0u : 1u, s.skew_guard ? 1u : 0u}),
                   {{"light", image("light")},
                    {"norm", image("norm")},
                    {"norm_rgb", image("norm_rgb")},
@@ -146,6 +147,11 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                    {"norm_rgb_half", image("norm_rgb_half")},
                    {"through_half", image("through_half")},
                    {"half_opaque", image("half_opaque")},
+                   {"VolumeBlock", buffer("volume")},
+                   {"WarpTable", buffer("warp")},
+                   {"Layers", buffer("layers")},
+                   {"Overlaps", buffer("overlaps")},
+                   {"Flagged", buffer("flagged")},
                    {"opaque_depth", &picture.opaque_depth},
                    {"glow", image("glow")},
                    {"opaque_color", &picture.opaque_color},

@@ -22,6 +22,10 @@ struct Plan {
 
   uint64_t rays() const { return uint64_t(volume.cells.x) * volume.cells.y; }
   uint64_t tiles() const { return uint64_t(volume.tiles.x) * volume.tiles.y; }
+  /// Coloured events that share a slice with another are looked for.
+  bool watches_overlap() const {
+    return coloured && (settings.colour == Colour::kSkew || settings.colour == Colour::kFirstEvent);
+  }
   bool raster() const { return settings.splat == Splat::kRaster; }
   bool rgb_raster() const { return rgb && settings.rgb_splat == RgbSplat::kRaster; }
   /// Words of RGB extinction a slice in the buffer.

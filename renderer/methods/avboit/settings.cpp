@@ -80,6 +80,8 @@ void Settings::visit(ParameterVisitor& visitor) {
                  "biased samplings read transmittance in 8 bits, as the talk stores it");
   choice(visitor, "colour", colour, kColours,
          "what coloured glass does to what lies behind it: cheaper modes tint the wrong things");
+  visitor.toggle("skew_guard", skew_guard,
+                 "skew and first_event: no tint where a coloured event shares its slice with another");
   visitor.toggle("normalise", normalise, "scales the sum so that coverage adds up exactly");
   visitor.choice(
       "exact_layers", exact_layers, kExactNames,

@@ -28,6 +28,7 @@ struct Settings {
   Sampling sampling = Sampling::kSelfExcluded;
   float bias = 2.0f;
   Colour colour = Colour::kRgb;
+  bool skew_guard = true;
   bool normalise = true;
   Accumulation accumulation = Accumulation::kHalf;
   ZeroDepth zero_depth = ZeroDepth::kQuads;

@@ -1,4 +1,5 @@
 #include "renderer/methods/avboit/plan.h"
+#include "shaders/methods/avboit/overlap.h"
 
 namespace plume::avboit {
 namespace {
@@ -27,6 +28,8 @@ void add_splat_needs(Needs& needs, const Plan& plan) {
                            .bytes = rays * plan.volume.slices * plan.settings.lane_bits() / 8,
                            .clear = {}});
   needs.buffers.push_back({.name = "overflow", .bytes = rays * 4, .clear = shared::kNoOverflow});
+  needs.buffers.push_back(
+      {.name = "overlaps", .bytes = (plan.watches_overlap() ? rays : 1) * sizeof(shared::Overlap), .clear = 0});
   const auto add_layers = [&](const char* name, vk::Format format, bool wanted) {
     needs.images.push_back({.name = name,
                             .format = format,
@@ -99,8 +102,8 @@ void record_splat(const Picture& picture, const Plan& plan) {
       draw_layers(pass, "extinction_layers", shared::kIntoScalar);
     else
       draw(pass, "methods/avboit/splat.frag", shared::kIntoScalar,
-         {plan.settings.lane_bits(), overflow_handling(plan.settings.splat)},
-         {{"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}});
+         {plan.settings.lane_bits(), overflow_handling(plan.settings.splat), plan.watches_overlap() ? 1u : 0u},
+         {{"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}, {"Overlaps", buffer("overlaps")}});
     if (plan.rgb_raster())
       draw_layers(pass, "extinction_layers_rgb", shared::kIntoRgb);
     else if (plan.rgb)

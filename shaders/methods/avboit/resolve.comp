@@ -3,25 +3,32 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/avboit/colour.h"
+#include "methods/avboit/depth_warp.glsl"
+#include "methods/avboit/exact_layers.h"
+#include "methods/avboit/overlap.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNormalise = 1u;
 layout(constant_id = 1) const uint kColour = kFullRgb;
 layout(constant_id = 2) const uint kHalf = 0u;        // soft particles were drawn at half resolution
 layout(constant_id = 3) const uint kHasAlpha = 1u;    // of `light`: 11:11:10 has none
-layout(binding = 8) uniform sampler2D light;
-layout(binding = 9) uniform sampler2D norm;
-layout(binding = 10) uniform sampler2D through;
-layout(binding = 11) uniform sampler2D norm_rgb;
-layout(binding = 12) uniform sampler2D glow;
-layout(binding = 13) uniform sampler2D light_half;
-layout(binding = 14) uniform sampler2D norm_half;
-layout(binding = 15) uniform sampler2D through_half;
-layout(binding = 16) uniform sampler2D norm_rgb_half;
-layout(binding = 17) uniform sampler2D half_opaque;
-layout(binding = 18) uniform sampler2D opaque_depth;
-layout(binding = 19) uniform sampler2D opaque_color;
-layout(binding = 20, rgba16f) writeonly uniform image2D result;
+layout(binding = 10) uniform sampler2D light;
+layout(binding = 11) uniform sampler2D norm;
+layout(binding = 12) uniform sampler2D through;
+layout(binding = 13) uniform sampler2D norm_rgb;
+layout(binding = 14) uniform sampler2D glow;
+layout(binding = 15) uniform sampler2D light_half;
+layout(binding = 16) uniform sampler2D norm_half;
+layout(binding = 17) uniform sampler2D through_half;
+layout(binding = 18) uniform sampler2D norm_rgb_half;
+layout(binding = 19) uniform sampler2D half_opaque;
+layout(binding = 20) uniform sampler2D opaque_depth;
+layout(binding = 21) uniform sampler2D opaque_color;
+layout(binding = 22, rgba16f) writeonly uniform image2D result;
+layout(scalar, binding = 23) readonly buffer Layers { uvec2 layers[]; };
+layout(scalar, binding = 24) readonly buffer Overlaps { Overlap overlaps[]; };
+layout(scalar, binding = 25) buffer Flagged { uint flagged[]; };   // pixels where coloured events share a slice
+layout(constant_id = 4) const uint kSkewGuard = 1u;
 layout(push_constant) uniform Push { uvec2 size; };
 
 const float kEpsilon = 1.0 / 1024.0;
@@ -62,6 +69,22 @@ Sums half_sums(ivec2 pixel) {
   return s;
 }
 
+bool shares_slice(ivec2 pixel) {
+  const uvec2 cell = uvec2(pixel) / volume.divisor;
+  const uint ray = cell.y * volume.cells.x + cell.x, plane = size.x * size.y, first = uint(pixel.y) * size.x + uint(pixel.x);
+  bool found = false;
+  for (uint w = 0u; w < kMaskWords; ++w) found = found || (overlaps[ray].coloured[w] & overlaps[ray].shared_slices[w]) != 0u;
+  float before = -2.0;
+  for (uint k = 0u; k < volume.exact_layers; ++k) {
+    const uvec2 layer = layers[k * plane + first];
+    if (layer.y == kNoLayer) break;
+    const float here = slice_at(uintBitsToFloat(layer.y));
+    found = found || here - before < 1.0;
+    before = here;
+  }
+  return found;
+}
+
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
@@ -73,7 +96,11 @@ void main() {
   const vec3 passed = s.light.a * s.through.rgb;
   const vec3 covers = kColour == kFullRgb ? 1.0 - passed : vec3(1.0 - s.light.a * s.through.a);
   vec3 seen = s.light.rgb;
-  if (kColour == kSkew || kColour == kFirstEvent) seen *= s.through.rgb / max(luma(s.through.rgb), 1e-6);
+  if (kColour == kSkew || kColour == kFirstEvent) {
+    const bool mixed = shares_slice(pixel);
+    if (mixed) atomicAdd(flagged[0], 1u);
+    if (!mixed || kSkewGuard == 0u) seen *= s.through.rgb / max(luma(s.through.rgb), 1e-6);
+  }
   if (kNormalise != 0u) seen *= (covers + kEpsilon) / (s.norm + kEpsilon);
   seen += texelFetch(glow, pixel, 0).rgb;
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));

@@ -5,12 +5,16 @@
 //   behind it T = 0, so that carries do not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "methods/avboit/overlap.h"
 #include "methods/avboit/splat_surface.glsl"
 
 layout(constant_id = 3) const uint kLaneBits = 16u;
 layout(constant_id = 4) const uint kOverflow = 2u;   // 0 ignored, 1 compare-exchange, 2 first overflow
 layout(scalar, binding = 10) buffer Extinction { uint extinction[]; };
 layout(scalar, binding = 11) buffer Overflow { uint overflow[]; };
+
+layout(constant_id = 5) const uint kWatchOverlap = 0u;
+layout(scalar, binding = 12) buffer Overlaps { Overlap overlaps[]; };
 
 const uint kLanes = 32u / kLaneBits;
 
@@ -19,6 +23,13 @@ uint field_at(uint value, uint slice) { return value << (kLaneBits * (slice % kL
 
 void note_overflow(uint slice, uint old_word, uint added) {
   if (kOverflow == 2u && field_of(old_word, slice) + added > full_field(kLaneBits)) atomicMin(overflow[ray_index()], slice);
+}
+
+void note_overlap(uint slice, bool taken) {
+  const uint bit = 1u << (slice & 31u);
+  const vec3 t = v_transmission.rgb;
+  if (t.r != t.g || t.g != t.b) atomicOr(overlaps[ray_index()].coloured[slice / 32u], bit);
+  if (taken) atomicOr(overlaps[ray_index()].shared_slices[slice / 32u], bit);
 }
 
 void add_saturating(uint index, uint slice, uint added) {
@@ -48,10 +59,20 @@ void main() {
     const uint added = field_at(here, place.slice) + field_at(beyond, next);
     if (added == 0u) return;
     const uint old_word = atomicAdd(extinction[first], added);
+    if (kWatchOverlap != 0u) {
+      note_overlap(place.slice, field_of(old_word, place.slice) != 0u);
+      note_overlap(next, field_of(old_word, next) != 0u);
+    }
     note_overflow(place.slice, old_word, here);
     note_overflow(next, old_word, beyond);
   } else {
-    if (here != 0u) note_overflow(place.slice, atomicAdd(extinction[first], field_at(here, place.slice)), here);
-    if (beyond != 0u) note_overflow(next, atomicAdd(extinction[first + 1u], beyond), beyond);
+    const uint old_word = here != 0u ? atomicAdd(extinction[first], field_at(here, place.slice)) : 0u;
+    const uint old_next = beyond != 0u ? atomicAdd(extinction[first + 1u], beyond) : 0u;
+    note_overflow(place.slice, old_word, here);
+    note_overflow(next, old_next, beyond);
+    if (kWatchOverlap != 0u) {
+      note_overlap(place.slice, field_of(old_word, place.slice) != 0u);
+      if (beyond != 0u) note_overlap(next, field_of(old_next, next) != 0u);
+    }
   }
 }
