@@ -78,6 +78,7 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
                     .fragment = draw.fragment,
                     .targets = {},
                     .depth = draw.depth_use,
+                    .strip = draw.strip,
                     .constants = draw.constants};
   std::vector<vk::RenderingAttachmentInfo> colors;
   for (const Attachment& target : draw.targets) {

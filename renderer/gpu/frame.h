@@ -40,6 +40,7 @@ struct Draw {
   Constants constants;
   Bindings bindings;
   uint32_t vertices = 3, instances = 1;
+  bool strip = false;                ///< triangle strips, one an instance; otherwise lists
   const Buffer* indirect = nullptr;  ///< vk::DrawIndirectCommand, instead of `vertices` and `instances`
   uint32_t indirect_index = 0;       ///< of the command in the buffer
   bool count_fragments = false;      ///< those that pass the depth test, into PassTime::fragments

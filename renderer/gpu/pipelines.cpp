@@ -100,7 +100,8 @@ const Pipeline& Pipelines::compute(const std::string& shader, const Constants& c
 
 const Pipeline& Pipelines::graphics(const GraphicsDesc& desc) {
   std::string key =
-      fmt::format("{} {} {} {}", desc.vertex, desc.fragment, int(desc.depth), fmt::join(desc.constants, ","));
+      fmt::format("{} {} {} {} {}", desc.vertex, desc.fragment, int(desc.depth), int(desc.strip),
+                  fmt::join(desc.constants, ","));
   for (const Target& target : desc.targets)
     key += fmt::format(" {}:{}", int(target.format), int(target.blend));
   return find_or_make(std::move(key), [this, desc] { return make_graphics(desc); });
@@ -177,7 +178,8 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
                       .pSpecializationInfo = &specialisation.info});
   }
   const vk::PipelineVertexInputStateCreateInfo no_vertex_buffers;
-  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
+  const vk::PipelineInputAssemblyStateCreateInfo assembly{
+      .topology = desc.strip ? vk::PrimitiveTopology::eTriangleStrip : vk::PrimitiveTopology::eTriangleList};
   const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
   const vk::PipelineRasterizationStateCreateInfo raster{.cullMode = vk::CullModeFlagBits::eNone,
                                                         .lineWidth = 1.0f};

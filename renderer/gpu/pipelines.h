@@ -41,6 +41,7 @@ struct GraphicsDesc {
   std::string vertex, fragment;  ///< shader names; fragment "": depth only. No vertex buffers: shaders pull
   std::vector<Target> targets;
   DepthUse depth = DepthUse::kNone;  ///< reversed: nearer is greater; D32
+  bool strip = false;                ///< triangle strips, one an instance; otherwise lists
   Constants constants;
 };
 

@@ -1,4 +1,4 @@
-// The vertices of every transparent draw: six a card, pulled from the card buffer in the given order.
+// The vertices of every transparent draw: four a card, a triangle strip, pulled from the card buffer in the given order.
 #ifndef PLUME_SURFACE_CARD_GLSL
 #define PLUME_SURFACE_CARD_GLSL
 #include "shared/card.h"
@@ -23,7 +23,7 @@ layout(push_constant, scalar) uniform Push {
   vec2 covered;      // share of the target that the picture fills
 };
 
-const vec2 kCorners[6] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
+const vec2 kCorners[4] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1));
 
 void card_vertex() {
   const uint place = order_first + uint(int(gl_InstanceIndex) * order_step);

@@ -34,7 +34,7 @@ void record_zero_depth(const Picture& picture, const Plan& plan) {
   const glm::uvec2 tiles = tiles_of(plan.size);
   picture.frame.pass("zero_tiles", [&](gpu::Pass& pass) {
     pass.update(*buffer("zero_draw"),
-                shared::ZeroDraw{.vertices = 6, .instances = 0, .first_vertex = 0, .first_instance = 0});
+                shared::ZeroDraw{.vertices = 4, .instances = 0, .first_vertex = 0, .first_instance = 0});
     pass.copy(picture.opaque_depth, visible_depth(picture, plan));
     pass.barrier();
     pass.dispatch(pass.pipelines().compute("methods/avboit/zero_depth.comp"),
@@ -61,6 +61,7 @@ void record_zero_depth(const Picture& picture, const Plan& plan) {
       draw.vertex = "methods/avboit/zero_quads.vert";
       draw.bindings = {{"ZeroTiles", buffer("zero_tiles")}};
       draw.indirect = buffer("zero_draw");
+      draw.strip = true;
       pass.draw(draw, plan.size);
     } else {
       draw.vertex = "post/fullscreen.vert";

@@ -18,6 +18,6 @@ void main() {
   if (i < count) order[i] = pairs[i].y;
   if (i < kClasses) {
     const uint first = counts[i * sort_tiles];
-    class_draws[i] = ClassDraw(6u, (i + 1u < kClasses ? counts[(i + 1u) * sort_tiles] : count) - first, 0u, first);
+    class_draws[i] = ClassDraw(4u, (i + 1u < kClasses ? counts[(i + 1u) * sort_tiles] : count) - first, 0u, first);
   }
 }

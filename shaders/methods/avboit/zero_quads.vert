@@ -6,7 +6,7 @@
 layout(scalar, binding = 8) readonly buffer ZeroTiles { ZeroTile zero_tiles[]; };
 layout(push_constant) uniform Push { uvec2 size; };
 
-const vec2 kCorners[6] = vec2[](vec2(0, 0), vec2(1, 0), vec2(1, 1), vec2(0, 0), vec2(1, 1), vec2(0, 1));
+const vec2 kCorners[4] = vec2[](vec2(0, 0), vec2(1, 0), vec2(0, 1), vec2(1, 1));
 
 void main() {
   const ZeroTile t = zero_tiles[gl_InstanceIndex];
