@@ -177,7 +177,7 @@ class Measurement {
     if (ticks.empty()) return;
 
     Stage stage(device_, pipelines_, library_, std::move(scene));
-    const Targets targets(device_, replay.size);
+    const Targets targets(device_, replay.size, stage.post());
     std::vector<Contender> contenders = make_contenders(replay);
     for (const uint32_t tick : ticks) run_tick(replay, stage, targets, contenders, tick);
   }

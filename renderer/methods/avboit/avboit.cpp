@@ -1,8 +1,8 @@
 // AVBOIT, adaptive voxel-based order-independent transparency: extinction is splatted into a low-resolution
 // volume, integrated along the rays, and read as the weight of every fragment. Drobot, "Adaptive Voxel-Based
-// Order Independent Transparency", SIGGRAPH 2025 Advances in Real-Time Rendering. VBOIT is the same with slices
-// that are fixed instead of following what is occupied. Each stage is a file beside this one, and each shader
-// holds its stage's equation.
+// Order Independent Transparency", SIGGRAPH 2025 Advances in Real-Time Rendering. VBOIT is the same with
+// slices that are fixed instead of following what is occupied. Each stage is a file beside this one, and each
+// shader holds its stage's equation.
 #include "renderer/methods/avboit/plan.h"
 #include "renderer/methods/methods.h"
 
@@ -34,6 +34,8 @@ class Avboit final : public Method {
     return needs;
   }
 
+  Outputs outputs() const override { return {.distortion = true, .surface = true}; }
+
   const gpu::Image& prepare(const Picture& picture) override {
     using namespace avboit;
     const Plan plan(settings_, picture.size, picture.transparents);
@@ -47,7 +49,9 @@ class Avboit final : public Method {
   }
 
   void record(const Picture& picture) override {
-    avboit::record_accumulate(picture, avboit::Plan(settings_, picture.size, picture.transparents));
+    const avboit::Plan plan(settings_, picture.size, picture.transparents);
+    avboit::record_accumulate(picture, plan);
+    avboit::record_outputs(picture, plan);
   }
 
  private:
