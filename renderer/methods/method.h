@@ -61,6 +61,11 @@ class Resources {
 struct Outputs {
   bool distortion = false, surface = false;
 };
+/// "distortion, no surface".
+inline std::string to_text(const Outputs& outputs) {
+  return std::string(outputs.distortion ? "distortion" : "no distortion") +
+         (outputs.surface ? ", surface" : ", no surface");
+}
 constexpr vk::Format kOutputFormat = vk::Format::eR16G16B16A16Sfloat;
 
 /// Everything a method needs to record one frame, between the opaque image and the final one.

@@ -27,7 +27,8 @@ struct Contender {
   MethodInstance instance;
   json settings;
   std::string label;
-  std::vector<std::string> missing;  // of the device
+  std::vector<std::string> missing;   // of the device
+  std::vector<std::string> left_out;  // of the last drawing
   std::vector<std::vector<gpu::PassTime>> samples;
   std::optional<DrawnPicture> picture;
 };
@@ -274,6 +275,7 @@ class Measurement {
         stop_if_interrupted();
         auto report =
             render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
+        c.left_out = std::move(report.left_out);
         if (repetition >= replay.warmup) c.samples.push_back(std::move(report.passes));
         if (!c.picture) c.picture = read_picture(device_, targets);
       }
@@ -288,6 +290,7 @@ class Measurement {
     FrameResult& frame = job.frame;
     if (contender.missing.empty()) {
       summarise_passes(contender.samples, frame);
+      frame.left_out = contender.left_out;
       frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
       Raster<float> error_map;
       frame.error = compare(reference, *contender.picture, error_map);
