@@ -50,7 +50,8 @@ void main() {
     const float angle = float(i) * kGoldenAngle;
     const ivec2 texel = ivec2(floor(vec2(pixel) + 0.5 + distance * vec2(cos(angle), sin(angle))));
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lens.size)))) continue;
-    const float circle = texelFetch(circles, texel, 0).r, radius = abs(circle);
+    const float circle = texelFetch(circles, texel, 0).r;
+    const float radius = circle < own_circle ? min(abs(circle), abs(own_circle)) : abs(circle);   // the pixel hides the rest of it
     const vec4 color = vec4(texelFetch(composed, texel, 0).rgb, 1.0);
     const float given = radius > kSharp ? clamp(radius - distance + 0.5, 0.0, 1.0) * sample_area / area(radius) : 0.0;
     if (circle > own_circle + kSameDepth) near += color * given;
