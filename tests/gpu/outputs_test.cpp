@@ -290,7 +290,7 @@ TEST_F(OutputsTest, ALensSpreadsAPointOverTheDiscOfItsCircle) {
   lamp.color = glm::vec3(1);
   lamp.position = {0, 0, -kWall};
   lamp.size_m = glm::vec3(0.6f);
-  const float focus = 2, aperture_mm = 250;
+  const float focus = 2, aperture_mm = 800;
   const Post post{.lens = Lens{.focus_m = focus, .aperture_mm = aperture_mm}};
   const auto sharp = draw_cards("reference", {}, {}, {back, lamp}),
              blurred = draw_cards("reference", {}, post, {back, lamp});
@@ -302,10 +302,32 @@ TEST_F(OutputsTest, ALensSpreadsAPointOverTheDiscOfItsCircle) {
       if (blurred.picture[at(x, y)].r > 0.004f)
         farthest = std::max(farthest, std::hypot(x + 0.5 - 32.0, y + 0.5 - 24.0));
     }
-  const double circle =
-      std::min(0.5 * aperture_mm * 1e-3 * (1 / focus - 1 / 9.7) * kPixelsARadian, kSize.y / 8.0);
+  const double circle = std::min(0.5 * aperture_mm * 1e-3 * (1 / focus - 1 / 9.7) * kPixelsARadian, 8.0);
   EXPECT_NEAR(light, spread, 0.15 * light) << "light is lost or made";
-  EXPECT_NEAR(circle + 1.5, farthest, 1.5) << "circle " << circle;
+  EXPECT_NEAR(circle + 1, farthest, 1.0) << "circle " << circle;
+}
+
+TEST_F(OutputsTest, ANearEdgeIsHalfThereAtItsOutlineAndGoneACircleAway) {
+  Solid back;
+  back.material = Material::kUnlit;
+  back.color = glm::vec3(0);
+  back.position = {0, 0, -kWall - 0.5f};
+  back.size_m = {40, 40, 1};
+  const Cards near{.scalar = {card(2, 0.7f, 1.0f)}, .haze = {}};
+  const float aperture_mm = 700;
+  const auto drawn =
+      draw_cards("reference", near, {.lens = Lens{.focus_m = kWall, .aperture_mm = aperture_mm}}, {back});
+  const double outline = reach(0.7, 2),
+               circle = 0.5 * aperture_mm * 1e-3 * (1 / 2.0 - 1 / kWall) * kPixelsARadian;
+  ASSERT_GT(circle, 5.0);
+  ASSERT_LT(circle, 8.0);
+  for (uint32_t x = kSize.x / 2; x < kSize.x; ++x) {
+    const double beyond =
+        x + 0.5 - kSize.x / 2.0 - outline;  // share of a disc on the card's side of its edge
+    const double d = std::clamp(beyond / circle, -1.0, 1.0);
+    const double share = 0.5 - (d * std::sqrt(1 - d * d) + std::asin(d)) / M_PI;
+    EXPECT_NEAR(share, drawn.picture[at(x, kSize.y / 2)].r / 0.9, 0.12) << beyond << " pixels beyond";
+  }
 }
 
 TEST_F(OutputsTest, WhatIsNotWantedOrNotThereCostsNoPass) {
