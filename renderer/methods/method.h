@@ -50,14 +50,34 @@ class Resources {
   std::map<std::string, gpu::Buffer> buffers_;
 };
 
+/// What a picture can have beyond its colours. RGBA16F images, zero where there is nothing:
+///   distortion  xy: sum over haze of shift * T, in pixels; what is seen there comes from pixel + shift
+///               z, w: sum of |shift| T / depth and of |shift| T, so that z / w is the haze's inverse depth,
+///               1/m
+///   surface     r: sum of p T / depth, 1/m, and g: of p T, over everything visible, where p is how much of a
+///               fragment shows (see shaders/surface/presence.glsl); ba: sum of p T * motion, in pixels a
+///               tick
+/// Depths are kept inverse because circles of confusion are linear in 1 / depth, and the sky's is 0.
+struct Outputs {
+  bool distortion = false, surface = false;
+};
+/// "distortion, no surface".
+inline std::string to_text(const Outputs& outputs) {
+  return std::string(outputs.distortion ? "distortion" : "no distortion") +
+         (outputs.surface ? ", surface" : ", no surface");
+}
+constexpr vk::Format kOutputFormat = vk::Format::eR16G16B16A16Sfloat;
+
 /// Everything a method needs to record one frame, between the opaque image and the final one.
 struct Picture {
   gpu::Frame& frame;
   const Resources& resources;
   const Transparents& transparents;
-  const gpu::Image& opaque_color;  ///< kHdrFormat
-  const gpu::Image& opaque_depth;  ///< D32, reversed
-  const gpu::Image& result;        ///< kHdrFormat: every pixel must be written
+  const gpu::Image& opaque_color;          ///< kHdrFormat
+  const gpu::Image& opaque_depth;          ///< D32, reversed
+  const gpu::Image& result;                ///< kHdrFormat: every pixel must be written
+  const gpu::Image* distortion = nullptr;  ///< null: not wanted, or not among the method's outputs()
+  const gpu::Image* surface = nullptr;     ///< the same
   glm::uvec2 size;
 
   gpu::Area area() const { return {size.x, size.y}; }
@@ -83,6 +103,11 @@ class Method {
   virtual std::vector<std::string> missing(const gpu::Device&) const { return {}; }
   /// What it needs for a picture of `size` of these transparent things.
   virtual Needs needs(glm::uvec2 size, const Transparents& transparents) const = 0;
+  /// Which of them it writes when a picture wants them. For the others the picture says that they are
+  /// missing.
+  virtual Outputs outputs() const { return {}; }
+  /// What writing these takes, beyond needs().
+  virtual Needs output_needs(glm::uvec2, const Transparents&, const Outputs&) const { return {}; }
   /// Records what can be done before opaque things are shaded; gives the depth that hides some of them.
   virtual const gpu::Image& prepare(const Picture& picture) { return picture.opaque_depth; }
   virtual void record(const Picture& picture) = 0;

@@ -10,6 +10,10 @@
 namespace plume {
 namespace {
 
+glm::uvec2 address_of(const gpu::Buffer& buffer) {
+  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
+}
+
 class Reference final : public Method {
  public:
   std::string_view id() const override { return "reference"; }
@@ -29,31 +33,66 @@ class Reference final : public Method {
                 {.name = "nodes", .bytes = uint64_t(capacity_) * sizeof(shared::FragmentNode), .clear = {}}}};
   }
 
+  Outputs outputs() const override { return {.distortion = true, .surface = true}; }
+  Needs output_needs(glm::uvec2, const Transparents&, const Outputs& wanted) const override {
+    if (!wanted.distortion && !wanted.surface) return {};
+    return {.images = {},
+            .buffers = {{.name = "extras", .bytes = uint64_t(capacity_) * sizeof(glm::vec2), .clear = {}}}};
+  }
+
   void record(const Picture& picture) override {
     const gpu::Buffer& pool = picture.resources.buffer("pool");
     const gpu::Buffer& heads = picture.resources.buffer("heads");
-    const uint64_t nodes = picture.resources.buffer("nodes").address();
+    const bool outputs = picture.distortion || picture.surface;
+    const auto capture = [&](gpu::Pass& pass, Transparents::Style style) {
+      style.depth_test = style.opaque_depth = &picture.opaque_depth;
+      style.area = picture.area();
+      style.bindings = {{"Pool", &pool}, {"Heads", &heads}};
+      picture.transparents.draw(pass, style);
+    };
 
     picture.frame.pass("capture", [&](gpu::Pass& pass) {
-      pass.update(
-          pool, shared::FragmentPool{
-                    .count = 0, .capacity = capacity_, .address = {uint32_t(nodes), uint32_t(nodes >> 32)}});
+      pass.update(pool,
+                  shared::FragmentPool{
+                      .count = 0,
+                      .capacity = capacity_,
+                      .address = address_of(picture.resources.buffer("nodes")),
+                      .extras = outputs ? address_of(picture.resources.buffer("extras")) : glm::uvec2(0)});
       pass.barrier();
-      picture.transparents.draw(pass, {.fragment = "methods/reference_capture.frag",
-                                       .targets = {},
-                                       .depth_test = &picture.opaque_depth,
-                                       .opaque_depth = &picture.opaque_depth,
-                                       .area = picture.area(),
-                                       .constants = {},
-                                       .bindings = {{"Pool", &pool}, {"Heads", &heads}}});
+      capture(pass, {.fragment = "methods/reference_capture.frag",
+                     .targets = {},
+                     .constants = {outputs ? 1u : 0u},
+                     .bindings = {}});
+      if (picture.distortion)
+        capture(pass, {.fragment = "methods/reference_haze.frag",
+                       .targets = {},
+                       .vertex = "surface/haze.vert",
+                       .source = Source::kHaze,
+                       .constants = {},
+                       .bindings = {}});
     });
+    const std::array<uint32_t, 3> squares{gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1};
     picture.frame.pass("composite", [&](gpu::Pass& pass) {
       pass.dispatch(pass.pipelines().compute("methods/reference_composite.comp"),
                     {{"Pool", &pool},
                      {"Heads", &heads},
                      {"opaque_color", &picture.opaque_color},
                      {"result", &picture.result}},
-                    picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
+                    picture.size, squares);
+    });
+    if (!outputs) return;
+    const Transparents& transparents = picture.transparents;
+    const uint32_t haze_first = transparents.first(Source::kHaze);
+    picture.frame.pass("outputs", [&](gpu::Pass& pass) {
+      pass.dispatch(pass.pipelines().compute("methods/reference_outputs.comp",
+                                             {picture.distortion ? 1u : 0u, picture.surface ? 1u : 0u}),
+                    {{"View", transparents.view},
+                     {"Cards", transparents.cards},
+                     {"Pool", &pool},
+                     {"Heads", &heads},
+                     {"distortion", picture.distortion ? picture.distortion : picture.surface},
+                     {"surface", picture.surface ? picture.surface : picture.distortion}},
+                    glm::uvec2(haze_first, haze_first + transparents.number(Source::kHaze)), squares);
     });
   }
 

@@ -28,6 +28,8 @@ class Sorted final : public Method {
                         {.name = "order", .bytes = count * 4, .clear = {}}}};
   }
 
+  Outputs outputs() const override { return {.distortion = true, .surface = true}; }
+
   void record(const Picture& picture) override {
     const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
     const Transparents& transparents = picture.transparents;
@@ -44,20 +46,35 @@ class Sorted final : public Method {
                     {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count,
                     {gpu::groups(count, 256), 1, 1});
     });
+    const auto draw = [&](const char* pass_name, const gpu::Image& target, Transparents::Style style) {
+      style.targets = {{.image = &target, .blend = gpu::Blend::kOverDual, .clear = {}}};
+      style.depth_test = style.opaque_depth = &picture.opaque_depth;
+      style.area = picture.area();
+      style.order = buffer("order");
+      style.backwards = true;
+      picture.frame.pass(pass_name, [&](gpu::Pass& pass) {
+        if (&target != &picture.result) pass.clear(target, {0, 0, 0, 0});
+        pass.barrier();
+        transparents.draw(pass, style);
+      });
+    };
     picture.frame.pass("copy", [&](gpu::Pass& pass) { pass.copy(picture.opaque_color, picture.result); });
-    picture.frame.pass("draw", [&](gpu::Pass& pass) {
-      transparents.draw(pass,
-                        {.fragment = "methods/sorted.frag",
-                         .targets = {{.image = &picture.result, .blend = gpu::Blend::kOverDual, .clear = {}}},
-                         .depth_test = &picture.opaque_depth,
-                         .opaque_depth = &picture.opaque_depth,
-                         .area = picture.area(),
-                         .constants = {},
-                         .bindings = {},
-                         .order = buffer("order"),
-                         .count_fragments = true,
-                         .backwards = true});
-    });
+    draw("draw", picture.result,
+         {.fragment = "methods/sorted.frag",
+          .targets = {},
+          .constants = {},
+          .bindings = {},
+          .count_fragments = true});
+    if (picture.distortion)
+      draw("distortion", *picture.distortion,
+           {.fragment = "methods/sorted_distortion.frag",
+            .targets = {},
+            .vertex = "surface/haze.vert",
+            .constants = {},
+            .bindings = {}});
+    if (picture.surface)
+      draw("surface", *picture.surface,
+           {.fragment = "methods/sorted_surface.frag", .targets = {}, .constants = {}, .bindings = {}});
   }
 };
 

@@ -25,6 +25,7 @@ json list_methods() {
                     {"source", traits.source},
                     {"transmission", traits.transmission},
                     {"emission", traits.emission},
+                    {"outputs", to_text(method->outputs())},
                     {"limits", traits.limits},
                     {"parameters", parameter_list(*method)}});
   }
@@ -121,7 +122,7 @@ std::string range_of(const json& parameter) {
 void print_for_people(const json& list) {
   for (const json& entry : list) {
     fmt::print("{:<16} {}\n", text_of(entry["id"]), text_of(entry["title"]));
-    for (const char* key : {"description", "source", "transmission", "emission", "limits"})
+    for (const char* key : {"description", "source", "transmission", "emission", "outputs", "limits"})
       if (entry.contains(key)) fmt::print("    {}: {}\n", key, text_of(entry[key]));
     for (const json& p : entry.value("parameters", json::array()))
       fmt::print("    --set {}.{}={}   [{}]  {}\n", text_of(entry["id"]), text_of(p["name"]),

@@ -76,16 +76,18 @@ class ParameterWidgets : public ParameterVisitor {
   bool changed_ = false;
 };
 
-std::string about(const Traits& traits) {
-  return fmt::format("{}\nSource: {}\nTransmission: {}\nEmission: {}\nLimits: {}", traits.title,
-                     traits.source, traits.transmission, traits.emission, traits.limits);
+std::string about(const Method& method) {
+  const Traits traits = method.traits();
+  return fmt::format("{}\nSource: {}\nTransmission: {}\nEmission: {}\nOutputs: {}\nLimits: {}", traits.title,
+                     traits.source, traits.transmission, traits.emission, to_text(method.outputs()),
+                     traits.limits);
 }
 
 bool pick_method(const gpu::Device& device, std::span<const MethodInstance> methods, size_t& current) {
   bool picked = false;
   const bool open = ImGui::BeginCombo("method", methods[current].owner.c_str());
   if (!open) {
-    tooltip(about(methods[current].method->traits()));
+    tooltip(about(*methods[current].method));
     return false;
   }
   for (size_t i = 0; i < methods.size(); ++i) {
@@ -95,7 +97,7 @@ bool pick_method(const gpu::Device& device, std::span<const MethodInstance> meth
       current = i;
       picked = true;
     }
-    tooltip(missing.empty() ? about(methods[i].method->traits())
+    tooltip(missing.empty() ? about(*methods[i].method)
                             : fmt::format("unavailable: needs {}", fmt::join(missing, ", ")));
   }
   ImGui::EndCombo();

@@ -27,7 +27,8 @@ struct Contender {
   MethodInstance instance;
   json settings;
   std::string label;
-  std::vector<std::string> missing;  // of the device
+  std::vector<std::string> missing;   // of the device
+  std::vector<std::string> left_out;  // of the last drawing
   std::vector<std::vector<gpu::PassTime>> samples;
   std::optional<DrawnPicture> picture;
 };
@@ -177,7 +178,7 @@ class Measurement {
     if (ticks.empty()) return;
 
     Stage stage(device_, pipelines_, library_, std::move(scene));
-    const Targets targets(device_, replay.size);
+    const Targets targets(device_, replay.size, stage.post());
     std::vector<Contender> contenders = make_contenders(replay);
     for (const uint32_t tick : ticks) run_tick(replay, stage, targets, contenders, tick);
   }
@@ -274,6 +275,7 @@ class Measurement {
         stop_if_interrupted();
         auto report =
             render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
+        c.left_out = std::move(report.left_out);
         if (repetition >= replay.warmup) c.samples.push_back(std::move(report.passes));
         if (!c.picture) c.picture = read_picture(device_, targets);
       }
@@ -289,7 +291,8 @@ class Measurement {
     if (contender.missing.empty()) {
       summarise_passes(contender.samples, frame);
       frame.statistics = contender.instance.method->statistics(device_, contender.instance.resources);
-    frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
+      frame.left_out = contender.left_out;
+      frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
       Raster<float> error_map;
       frame.error = compare(reference, *contender.picture, error_map);
       if (!frame.image.empty()) write_png(options_.out / frame.image, contender.picture->display);

@@ -66,6 +66,12 @@ std::string settings_text(const nlohmann::json& settings) {
   return one_line(settings, "=", ", ");
 }
 
+std::string left_out_text(const FrameResult& frame) {
+  std::string text;
+  for (const std::string& output : frame.left_out) text += fmt::format("no {}; ", output);
+  return text;
+}
+
 std::string row(const FrameResult& frame) {
   std::string cells = fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", escape(frame.scene), frame.tick,
                                   escape(frame.method));
@@ -78,7 +84,7 @@ std::string row(const FrameResult& frame) {
                      "td><td>{}</td></tr>\n",
                      e.rmse, std::isfinite(e.psnr_db) ? fmt::format("{:.2f}", e.psnr_db) : "∞", e.ssim,
                      e.flip, frame.gpu_ms, double(frame.memory_bytes) / 1048576.0,
-                     escape(settings_text(frame.settings)));
+                     escape(left_out_text(frame) + settings_text(frame.settings)));
 }
 
 std::string picture(const std::filesystem::path& folder, const std::string& file,

@@ -1,6 +1,7 @@
 #include "sandbox/measure/results.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,7 @@ FrameResult frame_from_json(const json& from) {
       frame.passes[i].fragments = count.get<uint64_t>();
   frame.gpu_ms = from.at("gpu_ms");
   frame.memory_bytes = from.at("memory_bytes");
+  frame.left_out = from.at("left_out");
   if (const json& error = from.at("error"); !error.is_null())
     frame.error = {.rmse = number_or_infinity(error.at("rmse")),
                    .psnr_db = number_or_infinity(error.at("psnr_db")),
@@ -103,6 +105,7 @@ json to_json(const FrameResult& frame) {
           {"passes", passes},
           {"gpu_ms", frame.gpu_ms},
           {"memory_bytes", frame.memory_bytes},
+          {"left_out", frame.left_out},
           {"error", error},
           {"statistics", frame.statistics},
           {"image", text_or_null(frame.image)},
@@ -133,13 +136,13 @@ std::string to_csv(const Results& results) {
         pass_names.push_back(pass.name);
 
   std::string csv =
-      "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,rmse,psnr_db,ssim,flip,max";
+      "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,left_out,rmse,psnr_db,ssim,flip,max";
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width,
                        frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
-                       frame.gpu_ms, frame.memory_bytes);
+                       frame.gpu_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);
@@ -170,8 +173,9 @@ std::string to_table(const Results& results) {
                            frame.error->ssim, frame.error->flip);
     else
       table += fmt::format("{:>9} {:>8} {:>7} {:>7} ", "-", "-", "-", "-");
-    table += fmt::format("{:>9.2f} {:>9.2f}  {}\n", frame.gpu_ms, double(frame.memory_bytes) / 1048576.0,
-                         frame.settings.empty() ? "" : frame.settings.dump());
+    table += fmt::format("{:>9.2f} {:>9.2f}  ", frame.gpu_ms, double(frame.memory_bytes) / 1048576.0);
+    for (const std::string& output : frame.left_out) table += fmt::format("no {}; ", output);
+    table += frame.settings.empty() ? "\n" : frame.settings.dump() + "\n";
   }
   return table;
 }

@@ -37,6 +37,7 @@ struct FrameResult {
   std::vector<PassSummary> passes;
   double gpu_ms = 0;                  ///< median over the repetitions of the sum of passes
   uint64_t memory_bytes = 0;          ///< of the method's own images and buffers
+  std::vector<std::string> left_out;  ///< outputs the picture wants that the method does not write
   std::optional<ErrorSummary> error;  ///< against the exact reference
   nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
   std::string image, error_map;       ///< file names beside results.json; "" = not written

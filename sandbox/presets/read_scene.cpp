@@ -149,6 +149,11 @@ Scene read_scene_text(std::string_view text, const std::string& file) {
     top.choice("tonemap", scene.tonemap, kTonemaps);
     top.vector("wind", scene.wind, {-100, 100, "m/s"});
     top.table("light", [&](TableReader& light) { read_light(light, scene.light); });
+    top.table("depth_of_field", [&](TableReader& lens) {
+      DepthOfField& out = scene.depth_of_field.emplace();
+      lens.number("focus_m", out.focus_m, {0.01, 10'000, "m"}, Need::kRequired);
+      lens.number("aperture_mm", out.aperture_mm, {0.1, 1000, "mm"}, Need::kRequired);
+    });
     scene.camera = read_camera(top, true);
     top.tables("solid", kMaxSolids, [&](TableReader& table) { read_solid(table, scene.solids); });
     top.tables("pane", kMaxPanes, [&](TableReader& table) { scene.panes.push_back(read_pane(table)); });

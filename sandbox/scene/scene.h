@@ -46,6 +46,12 @@ struct Pane {
   glm::vec3 emission{0.0f};
 };
 
+/// A thin lens: what is nearer or farther than the focus blurs.
+struct DepthOfField {
+  float focus_m = 5.0f;       ///< view depth that is sharp
+  float aperture_mm = 25.0f;  ///< diameter of the opening
+};
+
 struct CameraKey {
   uint32_t tick = 0;
   glm::vec3 position{0.0f, 1.7f, 8.0f};
@@ -92,7 +98,8 @@ struct Scene {
   Tonemap tonemap = Tonemap::kAces;
   glm::vec3 wind{0.0f};  ///< m/s
   Light light;
-  std::vector<CameraKey> camera;  ///< at least one; ticks ascend strictly; linear between keys
+  std::optional<DepthOfField> depth_of_field;  ///< nothing: everything is sharp
+  std::vector<CameraKey> camera;               ///< at least one; ticks ascend strictly; linear between keys
   std::vector<Solid> solids;
   std::vector<Pane> panes;
   std::vector<Instance> instances;

@@ -62,8 +62,11 @@ void Stage::set_draw_order(const std::vector<uint32_t>& order) {
 
 std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera) {
   auto times = simulation_->go_to(tick);
+  // A camera of one's own has no motion of its own: it is where it is for as long as one looks.
+  const std::optional<CameraKey> previous =
+      camera ? std::nullopt : std::optional(camera_at(scene_.camera, std::max(tick, 1u) - 1));
   view_.mapped<shared::ViewData>()[0] =
-      make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick);
+      make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick, previous);
   fit_cards(uint32_t(scalar_panes_.size() + rgb_panes_.size()) + simulation_->cards());
   if (!in_order_) {
     std::vector<uint32_t> identity(capacity_);
@@ -87,6 +90,15 @@ Prelude Stage::prelude() const {
               },
           .opaque = [this](gpu::Frame& frame, const Targets& targets,
                            const gpu::Image& depth) { opaque_.record_color(frame, targets, depth, view_); }};
+}
+
+Post Stage::post() const {
+  const auto bends = [](const Emitter& emitter) { return emitter.look.distortion_deg > 0.0f; };
+  const auto is_haze = [&](const auto& effect) { return std::ranges::any_of(effect.second.emitters, bends); };
+  Post post{.distortion = std::ranges::any_of(effects_, is_haze), .lens = {}};
+  if (const auto& wanted = scene_.depth_of_field)
+    post.lens = Lens{.focus_m = wanted->focus_m, .aperture_mm = wanted->aperture_mm};
+  return post;
 }
 
 std::vector<InstanceDemand> Stage::demand() const {

@@ -21,6 +21,8 @@ class Stage {
   /// Passes that come before the method's: cards from particles, the opaque image.
   Prelude prelude() const;
   const Transparents& transparents() const { return transparents_; }
+  /// What the scene asks to be done to its picture.
+  Post post() const;
 
   /// The order in which cards are drawn: a permutation of 0 .. transparents().count - 1.
   /// Within each source: sources stay together. Reset by go_to().

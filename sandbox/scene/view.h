@@ -7,7 +7,9 @@
 
 namespace plume {
 
-shared::ViewData make_view(const Scene& scene, const CameraKey& camera, glm::uvec2 size, uint32_t tick);
+/// `previous` is the camera of the tick before; nothing: it stood still.
+shared::ViewData make_view(const Scene& scene, const CameraKey& camera, glm::uvec2 size, uint32_t tick,
+                           const std::optional<CameraKey>& previous = {});
 
 }  // namespace plume
 #endif

@@ -121,7 +121,7 @@ void Viewer::method_changed(size_t before) {
 void Viewer::draw_scene() {
   const glm::uvec2 size = picture_size(device_, window_.size());
   if (!targets_ || targets_->size != size) {
-    targets_.emplace(device_, size);
+    targets_.emplace(device_, size, stage_.post());
     timings_.clear();
   }
   auto passes = stage_.go_to(playback_.tick(), size, camera_);

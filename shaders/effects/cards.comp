@@ -102,7 +102,7 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
   card.transmission = pack_half4(vec4(e.transmission, 0.0));
   card.light = pack_half4(vec4(dot(view.sun_direction, normalize(u)), dot(view.sun_direction, normalize(v)),
                                -dot(view.sun_direction, view.forward), 0.0));
-  card.motion = pack_half4(vec4(p.velocity * kTick, e.distortion * shape.y));
+  card.motion = pack_half4(vec4(p.velocity * (kTick * scale), e.distortion * shape.y));
   return card;
 }
 

@@ -20,6 +20,7 @@ struct FragmentPool {
   uint count;  // fragments seen: beyond `capacity` they were counted, not stored
   uint capacity;
   uvec2 address;  // of FragmentNode[capacity]: pools outgrow the range of a descriptor
+  uvec2 extras;   // of vec2[capacity], when outputs are wanted: haze's shift in pixels, else (presence, 0)
 };
 
 PLUME_SHARED_END

@@ -3,22 +3,14 @@
 // by the host, and the frame is drawn again.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_buffer_reference : require
-#extension GL_EXT_buffer_reference_uvec2 : require
-#include "surface/shade.glsl"
-#include "methods/reference.h"
+#include "surface/presence.glsl"
+#include "methods/reference_list.glsl"
 
-layout(early_fragment_tests) in;
-layout(scalar, binding = 8) buffer Pool { FragmentPool pool; };
-layout(scalar, binding = 9) buffer Heads { uint heads[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Nodes { FragmentNode nodes[]; };
+layout(constant_id = 0) const uint kExtras = 0u;   // outputs beyond the picture are wanted
 
 void main() {
   const Fragment f = shade();
   if (f.coverage == 0.0 && f.emission == vec3(0.0)) return;   // changes nothing, exactly
-  const uint slot = atomicAdd(pool.count, 1u);
-  if (slot >= pool.capacity) return;
-  const uvec2 pixel = uvec2(gl_FragCoord.xy);
-  const uint next = atomicExchange(heads[pixel.y * view.size.x + pixel.x], slot);
-  Nodes(pool.address).nodes[slot] = FragmentNode(f.color + f.emission, f.depth, transmittance(f), f.id, next);
+  const uint slot = append(FragmentNode(f.color + f.emission, f.depth, transmittance(f), f.id, kListEnd));
+  if (kExtras != 0u && slot < pool.capacity) Extras(pool.extras).extras[slot] = vec2(presence(f), 0.0);
 }

@@ -26,6 +26,7 @@ struct ViewData {
   uint solid_count;
   vec3 horizon;
   uint padding;
+  mat4 previous_view_projection;  // of the tick before
 };
 
 PLUME_SHARED_END

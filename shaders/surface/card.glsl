@@ -25,11 +25,13 @@ layout(push_constant, scalar) uniform Push {
 
 const vec2 kCorners[4] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1));
 
-void card_vertex() {
-  const uint place = order_first + uint(int(gl_InstanceIndex) * order_step);
-  const uint id = order[place];
-  const Card card = cards[id];
-  if (card.optical_depth <= 0.0 && card.emission == uvec2(0)) {
+bool shows(Card card) { return card.optical_depth > 0.0 || card.emission != uvec2(0u); }
+bool bends(Card card) { return (card.motion.y >> 16) != 0u; }
+
+uint card_id() { return order[order_first + uint(int(gl_InstanceIndex) * order_step)]; }
+
+void place_card(Card card, uint id, bool drawn) {
+  if (!drawn) {
     gl_Position = vec4(0.0, 0.0, -1.0, 1.0);   // in front of everything that is drawn: clipped
     return;
   }
@@ -45,6 +47,18 @@ void card_vertex() {
   v_light = unpack_half4(card.light).xyz;
   const uint layer_mask = (1u << kLayerBits) - 1u;
   v_layers_id = uvec3(card.layers & layer_mask, (card.layers >> kLayerBits) & layer_mask, id);
+}
+
+// Of what can be seen.
+void card_vertex() {
+  const uint id = card_id();
+  place_card(cards[id], id, shows(cards[id]));
+}
+
+// Of that, and of what only bends light.
+void any_card_vertex() {
+  const uint id = card_id();
+  place_card(cards[id], id, shows(cards[id]) || bends(cards[id]));
 }
 
 #endif

@@ -30,12 +30,14 @@ struct Fragment {
   uint id;             // card index: breaks ties of depth
 };
 
-vec4 puff_texel() {
-  const vec2 uv = v_uv_depth.xy * 0.5 + 0.5;
+vec4 puff_texel(vec2 aside) {
+  const vec2 uv = (v_uv_depth.xy + aside) * 0.5 + 0.5;
   const vec4 a = textureLod(puffs, vec3(uv, float(v_layers_id.x)), 0.0);
   const vec4 b = textureLod(puffs, vec3(uv, float(v_layers_id.y)), 0.0);
   return mix(a, b, v_sunlit.a);
 }
+
+vec4 puff_texel() { return puff_texel(vec2(0.0)); }
 
 // 1 far in front of the opaque surface, 0 on it.
 float feather() {

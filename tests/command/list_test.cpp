@@ -35,7 +35,7 @@ TEST_F(ListTest, DescribesEveryMethodAndParameter) {
   size_t parameters = 0;
   for (const json& method : methods) {
     SCOPED_TRACE(method.dump());
-    for (const char* key : {"title", "source", "transmission", "emission", "limits"})
+    for (const char* key : {"title", "source", "transmission", "emission", "outputs", "limits"})
       EXPECT_FALSE(method.at(key).get<std::string>().empty()) << key;
     for (const json& parameter : method.at("parameters")) {
       ++parameters;

@@ -38,7 +38,7 @@ class GpuTest : public testing::Test {
 
   DrawnPicture draw(Stage& stage, uint32_t tick, glm::uvec2 size, std::string_view id,
                     const std::map<std::string, std::string>& settings = {}) {
-    const Targets targets(device, size);
+    const Targets targets(device, size, stage.post());
     stage.go_to(tick, size);
     MethodInstance method = instance(id, settings);
     return draw(stage, targets, method);

@@ -29,6 +29,10 @@ horizon = [0.4, 0.5, 0.6]
 sun_direction = [0, 3, 4]
 sun_color = [2, 2, 1]
 
+[depth_of_field]
+focus_m = 4.5
+aperture_mm = 80
+
 [[camera]]
 position = [0, 1.7, 8]
 target = [0, 1, 0]
@@ -108,6 +112,9 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_FLOAT_EQ(scene.light.sun_direction.y, 0.6f);
   EXPECT_FLOAT_EQ(scene.light.sun_direction.z, 0.8f);
   EXPECT_EQ(scene.light.sun_color, glm::vec3(2, 2, 1));
+  ASSERT_TRUE(scene.depth_of_field);
+  EXPECT_EQ(scene.depth_of_field->focus_m, 4.5f);
+  EXPECT_EQ(scene.depth_of_field->aperture_mm, 80.0f);
 
   ASSERT_EQ(scene.camera.size(), 2u);
   EXPECT_EQ(scene.camera[0].tick, 0u);

@@ -39,6 +39,8 @@ class Avboit final : public Method {
     return needs;
   }
 
+  Outputs outputs() const override { return {.distortion = true, .surface = true}; }
+
   const gpu::Image& prepare(const Picture& picture) override {
     using namespace avboit;
     const Plan& plan = drawn_.emplace(settings_, picture.size, picture.transparents);
@@ -60,6 +62,7 @@ class Avboit final : public Method {
 
   void record(const Picture& picture) override {
     avboit::record_accumulate(picture, *drawn_);
+    avboit::record_outputs(picture, *drawn_);
   }
 
  private:

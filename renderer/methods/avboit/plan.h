@@ -74,5 +74,8 @@ void add_accumulate_needs(Needs& needs, const Plan& plan);
 /// draw, resolve: every fragment weighted by its transmittance, and the final image.
 void record_accumulate(const Picture& picture, const Plan& plan);
 
+/// distortion, surface: where the picture wants them, weighted by the same transmittance.
+void record_outputs(const Picture& picture, const Plan& plan);
+
 }  // namespace plume::avboit
 #endif

@@ -58,7 +58,7 @@ vec3 layers_in_front(uvec2 pixel, float depth, float own) {
     if (!(uintBitsToFloat(layer.y) < nearer)) break;   // also where there is none: its bits are no number
     t *= unpack_layer(layer.x);
   }
-  return k == volume.exact_layers ? t * exp(-max(float(tail[first]) / kTailSteps - own, 0.0)) : t;
+  return k > 0u && k == volume.exact_layers ? t * exp(-max(float(tail[first]) / kTailSteps - own, 0.0)) : t;
 }
 
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
