@@ -16,7 +16,7 @@ class Example : public Method {
 
   std::string_view id() const override { return "example"; }
   Traits traits() const override { return {}; }
-  Needs needs(glm::uvec2, uint32_t) const override { return {}; }
+  Needs needs(glm::uvec2, const Transparents&) const override { return {}; }
   void record(const Picture&) override {}
   void visit(ParameterVisitor& visitor) override {
     static constexpr std::string_view kWarps[] = {"linear", "log", "sqrt"};
