@@ -17,7 +17,8 @@ class GpuTest : public testing::Test {
   // PLUME_TEST_SYNCHRONIZATION=1 checks hazards too, at several times the cost.
   gpu::Device device{
       {.validate = true, .synchronization_validation = std::getenv("PLUME_TEST_SYNCHRONIZATION") != nullptr}};
-  gpu::Shaders shaders;
+  // PLUME_TEST_SHADERS=folder takes shaders from there: to see that a test fails on a broken one.
+  gpu::Shaders shaders{std::getenv("PLUME_TEST_SHADERS") ? std::getenv("PLUME_TEST_SHADERS") : ""};
   gpu::Pipelines pipelines{device, shaders};
   PresetLibrary library{PLUME_SOURCE_PRESETS};
 
