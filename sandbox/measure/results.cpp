@@ -136,7 +136,8 @@ std::string to_csv(const Results& results) {
         pass_names.push_back(pass.name);
 
   std::string csv =
-      "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,left_out,rmse,psnr_db,ssim,flip,max";
+      "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,left_out,rmse,psnr_db,ssim,flip,"
+      "max";
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
