@@ -36,7 +36,7 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
     SCOPED_TRACE(frame.dump());
     methods.push_back(frame["method"]);
     EXPECT_EQ(keys(frame), (Names{"error", "error_map", "gpu_ms", "image", "left_out", "memory_bytes",
-                                  "method", "passes", "scene", "settings", "size", "status", "tick"}));
+                                  "method", "passes", "scene", "settings", "size", "statistics", "status", "tick"}));
     EXPECT_EQ(frame["scene"], "street");
     EXPECT_EQ(frame["tick"], 400);
     EXPECT_EQ(frame["size"], json::parse("[96, 54]"));
@@ -78,7 +78,7 @@ TEST_F(CompareTest, CountsAsManySamplesAsTimedFrames) {
   for (const json& frame : all["frames"]) {
     for (const json& pass : frame["passes"]) {
       SCOPED_TRACE(pass.dump());
-      EXPECT_EQ(keys(pass), (Names{"median_ms", "min_ms", "name", "p95_ms", "samples"}));
+      EXPECT_EQ(keys(pass), (Names{"fragments", "median_ms", "min_ms", "name", "p95_ms", "samples"}));
       EXPECT_EQ(pass["samples"], 7);  // the warm-up is not one of them
       EXPECT_GT(pass["min_ms"], 0.0);
       EXPECT_LE(pass["min_ms"], pass["median_ms"]);
