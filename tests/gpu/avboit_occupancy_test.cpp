@@ -29,22 +29,6 @@ class AvboitOccupancy : public AvboitTest {
     }
   }
 
-  /// Depth at which the ray through a point of the picture meets a card, or nothing. Points within `inside`
-  /// of the card's edge do not count.
-  std::optional<double> hit(const shared::Card& card, glm::dvec2 pixel) const {
-    const shared::ViewData eye = view();
-    const glm::dvec2 ndc = pixel / glm::dvec2(size) * 2.0 - 1.0;
-    const glm::dvec3 ray(ndc.x * double(eye.tan_half_fov.x), -ndc.y * double(eye.tan_half_fov.y), -1.0);
-    const glm::dvec3 u(card.axis_u), v(card.axis_v), c(card.center), normal = glm::cross(u, v);
-    const double towards = glm::dot(ray, normal);
-    if (std::abs(towards) < 1e-9) return {};
-    const double depth = glm::dot(c, normal) / towards;
-    const glm::dvec3 on = ray * depth - c;
-    if (depth < double(eye.near_m)) return {};
-    if (std::abs(glm::dot(on, u)) > glm::dot(u, u) || std::abs(glm::dot(on, v)) > glm::dot(v, v)) return {};
-    return depth;
-  }
-
   struct Masks {
     const std::vector<uint32_t> words;
     shared::Volume v;
@@ -212,6 +196,8 @@ class AvboitSparse : public AvboitOccupancy {
     all.push_back({{"splat", "words32"}, {"resolution", "1/2"}, {"exact_layers", "0"}});
     all.push_back({{"colour", "skew"}, {"slices", "32"}, {"exact_layers", "0"}});
     all.push_back({{"sampling", "linear"}, {"bias", "0"}, {"samples", "4"}});
+    all.push_back({{"sampling", "cubic"}, {"bias", "0"}});
+    all.push_back({{"sampling", "cubic"}, {"bias", "0.5"}});
     return all;
   }
   static std::string text(const Map& settings) {
