@@ -236,6 +236,40 @@ TEST_F(AvboitSparse, NothingIsReadThatTheFrameDidNotWrite) {
     }
 }
 
+TEST_F(AvboitSparse, ACardWhereASliceBeginsIsInASliceThatIsThere) {
+  // Far from the world's origin a vertex's depth and the card's bounds round differently: one may be on
+  // either side of the beginning of a slice.
+  scene.solids.clear();
+  for (int turn = 0; turn < 6; ++turn) {
+    clear_cards();
+    const glm::vec3 eye(random.f(-90, 90), random.f(1, 20), random.f(-90, 90));
+    scene.camera[0].position = eye;
+    scene.camera[0].target = eye + glm::vec3(random.f(-1, 1), random.f(-0.5, 0.5), random.f(-1, 1));
+    const shared::ViewData v = view();
+    for (int i = 0; i < 200; ++i) {
+      const double slice = 10 + random.below(100), z = 2 * (std::exp2(slice * std::log2(401.0) / 128) - 1);
+      shared::Card card = make_card({.optical_depth = 0.2f, .color = glm::vec3(0.5f)});
+      card.center = eye + v.forward * float(z) + v.right * float(z * random.between(-0.5, 0.5));
+      card.axis_u = v.right * float(z) * 0.1f;
+      card.axis_v = v.up * float(z) * 0.1f;
+      scalar.push_back(card);
+    }
+    for (const char* linear : {"true", "false"}) {
+      const Map chosen{{"linear_splat", linear}, {"exact_layers", "0"}, {"splat", "words32"}};
+      SCOPED_TRACE(text(chosen));
+      const auto clean = draw_cards("vboit", chosen).linear.pixels,
+                 poisoned = draw_cards("vboit", chosen, true).linear.pixels;
+      Map all = chosen;
+      all["sparse"] = "false";
+      const auto dense = draw_cards("vboit", all).linear.pixels;
+      for (size_t i = 0; i < clean.size(); ++i) {
+        ASSERT_EQ(clean[i], poisoned[i]) << "pixel " << i;
+        ASSERT_EQ(clean[i], dense[i]) << "pixel " << i;
+      }
+    }
+  }
+}
+
 TEST_F(AvboitSparse, TheIntegralThatIsReadIsTheSame) {
   for (const bool rgb_packed : {false, true}) {
     avboit::Settings s;
