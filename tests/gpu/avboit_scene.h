@@ -10,6 +10,7 @@
 #include <glm/gtc/packing.hpp>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "renderer/methods/avboit/plan.h"
@@ -153,6 +154,24 @@ class AvboitTest : public GpuTest {
     return all;
   }
   shared::ViewData view() const { return make_view(scene, scene.camera[0], size, 0); }
+
+  /// Depth at which the ray through a point of the picture meets a card, or nothing. Points within `inside`
+  /// of the card's edge do not count.
+  std::optional<double> hit(const shared::Card& card, glm::dvec2 pixel, double margin = 0) const {
+    const shared::ViewData eye = view();
+    const glm::dvec2 ndc = pixel / glm::dvec2(size) * 2.0 - 1.0;
+    const glm::dvec3 ray(ndc.x * double(eye.tan_half_fov.x), -ndc.y * double(eye.tan_half_fov.y), -1.0);
+    const glm::dvec3 u(card.axis_u), v(card.axis_v), c(card.center), normal = glm::cross(u, v);
+    const double towards = glm::dot(ray, normal);
+    if (std::abs(towards) < 1e-9) return {};
+    const double depth = glm::dot(c, normal) / towards;
+    const glm::dvec3 on = ray * depth - c;
+    if (depth < double(eye.near_m)) return {};
+    const double across = std::abs(glm::dot(on, u)) / glm::dot(u, u),
+                 up = std::abs(glm::dot(on, v)) / glm::dot(v, v);
+    if (std::max(across, up) > 1 - margin) return {};
+    return depth;
+  }
 
   /// What is drawn, on the device.
   struct World {

@@ -25,7 +25,7 @@ Plan::Plan(const Settings& chosen, glm::uvec2 picture_size, const Transparents& 
             .curve_octaves = std::log2(1.0f + settings.curve_b / settings.curve_a),
             .bias = self_excluded ? 0.0f : settings.bias,
             .guard_before = bias + (spline ? 1 : 0),
-            .guard_after = spline && bias == 0 ? 2u : 1u,
+            .guard_after = spline && settings.bias < 1.0f ? 2u : 1u,
             .zero_depth = -std::log(settings.zero_transmittance),
             .zero_guard = std::max(bias, 1u) + (spline ? 1 : 0),
             .rgb_first = rgb ? transparents.first(Source::kRgb) : transparents.count,

@@ -19,7 +19,9 @@ void main() {
   const Bounds b = bounds_of(card, view);
   if (!b.seen) return;
   const uint before = volume.guard_before, after = volume.guard_after;
-  const uint nearest = uint(slice_at(b.nearest)), farthest = uint(slice_at(b.farthest));
+  // A vertex far from the world's origin rounds its depth otherwise than the bounds do.
+  const float rounding = 1e-6 * dot(abs(card.center) + abs(view.camera), vec3(1.0));
+  const uint nearest = uint(slice_at(b.nearest - rounding)), farthest = uint(slice_at(b.farthest + rounding));
   const uint first = nearest - min(nearest, before), last = min(farthest + after, volume.slices - 1u);
   const uvec4 tiles = uvec4(cells_of(card, b, view, volume)) / kTileCells;
   const bool sharp = is_sharp(card, view, volume);

@@ -1,0 +1,182 @@
+// The exact layers of a pixel: its nearest sharp fragments, whatever the order they came in.
+#include <algorithm>
+
+#include "shaders/methods/avboit/exact_layers.h"
+#include "tests/gpu/avboit_scene.h"
+
+namespace plume {
+namespace {
+
+class AvboitExactLayers : public AvboitTest {
+ protected:
+  AvboitExactLayers() { size = {40, 24}; }
+  avboit::Settings settings;
+  Random random{1};
+
+  struct Fragment {
+    double depth;
+    glm::dvec3 through;
+  };
+  static Fragment fragment_of(const shared::Card& card, double depth) {
+    const double coverage = 1 - std::exp(-double(card.optical_depth));
+    const glm::vec2 rg = glm::unpackHalf2x16(card.transmission.x),
+                    b = glm::unpackHalf2x16(card.transmission.y);
+    return {depth, 1.0 - coverage * (1.0 - glm::dvec3(rg.x, rg.y, b.x))};
+  }
+  static double depth_of(uint64_t key) {
+    const uint32_t bits = uint32_t(key >> 32);
+    float depth;
+    std::memcpy(&depth, &bits, 4);
+    return double(depth);
+  }
+  static glm::dvec3 through_of(uint64_t key) {
+    return glm::dvec3(key & 1023, key >> 10 & 1023, key >> 20 & 1023) / 1023.0;
+  }
+  struct Layers {
+    std::vector<uint64_t> keys;  // [layer][pixel]
+    std::vector<uint32_t> tail;
+    bool operator==(const Layers&) const = default;
+  };
+  Layers layers_of(const Stages& s) {
+    return {gpu::read<uint64_t>(device, s.resources.buffer("layers")), s.words("layer_tail")};
+  }
+  SmallCard random_sharp() {
+    return {.optical_depth = float(random.octaves(0.06, 6)),
+            .transmission = random.one_in(2) ? glm::vec3(0.0f)
+                                             : glm::vec3(random.f(0, 1), random.f(0, 1), random.f(0, 1)),
+            .layer = random.one_in(2) ? shared::kSolidLayer : shared::kDiscLayer};
+  }
+
+  /// Slots and tail of every pixel against fragments cast here; pixels where single precision could order two
+  /// fragments otherwise, or at the edge of a card, are left out.
+  void expect_nearest(const Stages& s, size_t least_compared) {
+    const Layers found = layers_of(s);
+    const uint32_t k = s.volume().exact_layers, pixels = size.x * size.y;
+    const double near = double(view().near_m);
+    const auto opaque = gpu::read<float>(device, s.world->targets.opaque_depth);
+    size_t compared = 0;
+    for (uint32_t i = 0; i < pixels; ++i) {
+      const glm::dvec2 at = glm::dvec2(i % size.x, i / size.x) + 0.5;
+      std::vector<Fragment> fragments;
+      bool doubtful = false;
+      for (const shared::Card& card : cards()) {
+        const auto depth = hit(card, at, 1e-4);
+        doubtful = doubtful || depth.has_value() != hit(card, at, -1e-4).has_value();
+        if (depth && *depth < near / std::max(double(opaque[i]), 1e-9))
+          fragments.push_back(fragment_of(card, *depth));
+      }
+      std::ranges::sort(fragments, {}, &Fragment::depth);
+      for (size_t f = 1; f < fragments.size(); ++f)
+        doubtful = doubtful || fragments[f].depth - fragments[f - 1].depth < 1e-5 * fragments[f].depth;
+      if (doubtful) continue;
+      ++compared;
+      double tail = 0;
+      size_t rest = 0;
+      for (size_t f = 0; f < std::max<size_t>(fragments.size(), k); ++f) {
+        if (f >= k) {
+          const double mean =
+              glm::dot(glm::round(fragments[f].through * 1023.0) / 1023.0, glm::dvec3(1.0 / 3));
+          tail += -std::log(std::max(mean, 1.1e-7)) * 4096;
+          ++rest;
+          continue;
+        }
+        const uint64_t key = found.keys[f * pixels + i];
+        if (f >= fragments.size()) {
+          ASSERT_EQ(~uint64_t(0), key) << "pixel " << i << " slot " << f << " must be free";
+          continue;
+        }
+        ASSERT_NEAR(fragments[f].depth, depth_of(key), 5e-6 * fragments[f].depth)
+            << "pixel " << i << " slot " << f;
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(fragments[f].through[c], through_of(key)[c], 0.501 / 1023)
+              << "pixel " << i << " slot " << f;
+      }
+      // A fragment's transmittance is one of 1024: a channel that rounds the other way is a step of one.
+      ASSERT_NEAR(tail, found.tail[i], double(rest) * (1 + 4096 * 1e-4) + 0.02 * tail) << "pixel " << i;
+    }
+    EXPECT_GE(compared, least_compared);
+  }
+};
+
+TEST_F(AvboitExactLayers, AreTheNearestFragmentsOfAPixel) {
+  Solid wall;
+  wall.position = {5, 0, -12};
+  wall.size_m = {10, 30, 1};
+  scene.solids = {wall};
+  for (settings.exact_layers = 1; settings.exact_layers <= 3; ++settings.exact_layers) {
+    clear_cards();
+    for (int i = 0; i < 36; ++i) {
+      SmallCard card = random_sharp();
+      const double z = random.octaves(1, 30);
+      card.z = float(z);
+      card.at = {z * random.between(-0.5, 0.5), z * random.between(-0.3, 0.3)};
+      card.half_size = {z * random.octaves(0.1, 2), z * random.octaves(0.1, 2)};
+      if (i % 3 == 0) card.yaw = random.f(-1.4, 1.4), card.pitch = random.f(-1.2, 1.2);
+      add(card);
+    }
+    const Stages s = run_stages(settings, Until::kExactLayers);
+    expect_nearest(s, 700);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_F(AvboitExactLayers, AreTheSameBitsInEveryOrderOfDraws) {
+  for (settings.exact_layers = 1; settings.exact_layers <= 3; ++settings.exact_layers) {
+    clear_cards();
+    for (int i = 0; i < 30; ++i) {
+      SmallCard card = random_sharp();
+      card.z = 3 + float(i / 3) * 0.5f;  // three at each depth: ties
+      card.half_size = {random.f(1, 9), random.f(1, 9)};
+      add(card);
+    }
+    const Layers in_order = layers_of(run_stages(settings, Until::kExactLayers));
+    uint64_t merged = in_order.tail.back();
+    EXPECT_GT(merged, size.x * size.y * 10u);
+    order.resize(30);
+    std::iota(order.begin(), order.end(), 0u);
+    for (int round = 0; round < 4; ++round) {
+      if (round == 0)
+        std::ranges::reverse(order);
+      else
+        random.shuffle(order);
+      EXPECT_TRUE(in_order == layers_of(run_stages(settings, Until::kExactLayers)));
+    }
+  }
+}
+
+TEST_F(AvboitExactLayers, CountsWhatFallsOffTheEnd) {
+  for (settings.exact_layers = 1; settings.exact_layers <= 3; ++settings.exact_layers) {
+    clear_cards();
+    for (int i = 0; i < 20; ++i)
+      add({.z = 2 + float(i), .optical_depth = 0.2f, .layer = shared::kSolidLayer});
+    const Stages s = run_stages(settings, Until::kExactLayers);
+    EXPECT_EQ((20 - settings.exact_layer_count()) * size.x * size.y, s.words("layer_tail").back());
+  }
+}
+
+TEST_F(AvboitExactLayers, MakeAPictureThatIsTheExactCompositeOfAsManyPanes) {
+  scene.light.horizon = {0.3f, 0.5f, 0.7f};
+  for (const uint32_t layers : {2u, 4u, 8u}) {
+    clear_cards();
+    for (uint32_t i = 0; i < layers; ++i) {
+      SmallCard card = random_sharp();
+      card.layer = shared::kSolidLayer;
+      card.z = 3 + random.f(0, 5);
+      card.color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
+      card.emission = i % 3 == 0 ? glm::vec3(0.2f, 0.1f, 0.3f) : glm::vec3(0.0f);
+      add(card);
+    }
+    const DrawnPicture reference = draw_cards("reference"),
+                       drawn = draw_cards(
+                           "avboit", {{"exact_layers", std::to_string(layers)}, {"accumulation", "32f"}});
+    // Of each layer in front, the transmittance is rounded to one of 1023; sums to half floats.
+    for (size_t i = 0; i < drawn.linear.pixels.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        ASSERT_NEAR(reference.linear.pixels[i][c], drawn.linear.pixels[i][c],
+                    float(layers) * 0.5f / 1023 + 2.0f / 1024)
+            << "pixel " << i;
+  }
+}
+
+}  // namespace
+}  // namespace plume
