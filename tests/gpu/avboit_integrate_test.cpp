@@ -96,6 +96,11 @@ class AvboitIntegrate : public AvboitTest {
     const gpu::Image all = image("integral", vk::Format::eR16G16Sfloat),
                      rg = image("integral_rg", vk::Format::eR16G16B16A16Sfloat),
                      b = image("integral_b", vk::Format::eR16G16Sfloat);
+    const gpu::Image no_layers(device, {.owner = "test",
+                                        .label = "no layers",
+                                        .format = vk::Format::eR8Unorm,
+                                        .layers = 1,
+                                        .usage = vk::ImageUsageFlagBits::eSampled});
     gpu::Frame frame(device, pipelines);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     frame.pass("poison", [&](gpu::Pass& pass) {
@@ -104,7 +109,8 @@ class AvboitIntegrate : public AvboitTest {
     frame.pass("integrate", [&](gpu::Pass& pass) {
       pass.dispatch(pass.pipelines().compute("methods/avboit/integrate.comp",
                                              {c.sparse ? 1u : 0u, c.lane_bits, c.rgb_words,
-                                              c.transmittance ? 1u : 0u, c.eight_bits ? 1u : 0u}),
+                                              c.transmittance ? 1u : 0u, c.eight_bits ? 1u : 0u, 0u,
+                                              c.rgb_words != 0 ? 1u : 0u}),
                     {{"VolumeBlock", &block},
                      {"WarpTable", &table},
                      {"Occupancy", &occupancy},
@@ -115,6 +121,8 @@ class AvboitIntegrate : public AvboitTest {
                      {"integral", &all},
                      {"integral_rg", &rg},
                      {"integral_b", &b},
+                     {"extinction_layers", &no_layers},
+                     {"extinction_layers_rgb", &no_layers},
                      {"ZeroSlice", &zero},
                      {"RgbStart", &start}},
                     0u, {2, 2, 1});

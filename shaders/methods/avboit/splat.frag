@@ -45,7 +45,7 @@ void add_saturating(uint index, uint slice, uint added) {
 
 void main() {
   if (hidden()) return;
-  const float through = 1.0 - coverage_of(cell_density()) * (1.0 - dot(v_transmission.rgb, vec3(1.0 / 3.0)));
+  const float through = dot(passed_by(v_ambient.a * cell_density()), vec3(1.0 / 3.0));
   const float tau = -log(max(through, kLeastTransmittance));
   const Place place = place_of(v_uv_depth.z);
   const uint here = quantise(tau * (1.0 - place.beyond), kLaneBits, rounding(0u));

@@ -9,7 +9,7 @@ layout(location = 0) out vec4 through;
 
 void main() {
   if (hidden()) discard;
-  const vec3 passed = 1.0 - coverage_of(cell_density()) * (1.0 - v_transmission.rgb);
+  const vec3 passed = passed_by(v_ambient.a * cell_density());
   const vec3 t = kRgb != 0u ? passed : vec3(dot(passed, vec3(1.0 / 3.0)));
   through = vec4(pow(max(t, vec3(0.0)), vec3(v_share)), 1.0);
 }

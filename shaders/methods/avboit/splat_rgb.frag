@@ -31,7 +31,7 @@ void add_words(uint slice, uvec3 value) {
 
 void main() {
   if (hidden()) return;
-  const vec3 through = 1.0 - coverage_of(cell_density()) * (1.0 - v_transmission.rgb);
+  const vec3 through = passed_by(v_ambient.a * cell_density());
   const vec3 tau = -log(max(through, vec3(kLeastTransmittance)));
   const Place place = place_of(v_uv_depth.z);
   const uint bits = kPacked != 0u ? 8u : 32u;

@@ -10,6 +10,9 @@ layout(constant_id = 0) const uint kLinear = 1u;    // share between slices Z an
 layout(constant_id = 1) const uint kSamples = 1u;   // of the card's texture in a cell: 1 or 4
 layout(constant_id = 2) const uint kDither = 0u;
 
+// What an optical depth of the card lets through; written so that thick cards keep their digits.
+vec3 passed_by(float optical_depth) { return v_transmission.rgb + (1.0 - v_transmission.rgb) * exp(-optical_depth); }
+
 uint ray_index() { return uint(gl_FragCoord.y) * volume.cells.x + uint(gl_FragCoord.x); }
 
 bool hidden() {   // behind the farthest opaque surface of the cell
