@@ -273,6 +273,43 @@ TEST_F(AvboitSplat, ACellAtTheEdgeOfAPictureThatCellsDoNotDivideIsSplatted) {
   }
 }
 
+TEST_F(AvboitSplat, FourSamplesWeighACellByHowMuchOfItACardCovers) {
+  size = {120, 80};
+  settings.splat = Splat::kWords32;
+  settings.linear_splat = false;
+  const double z = depth_of(30.5);
+  std::vector<size_t> cells(5);
+  for (int i = 0; i < 8; ++i) {
+    clear_cards();
+    add({.z = float(z),
+         .optical_depth = 0.5f,
+         .half_size = {random.f(0.4, 2), random.f(0.4, 1)},
+         .at = {random.f(-1, 1), random.f(-1, 1)}});
+    for (settings.samples = 0; settings.samples < 2; ++settings.samples) {
+      const Stages s = run_stages(settings, Until::kSplat);
+      const auto words = s.words("extinction");
+      for (uint32_t ray = 0; ray < s.plan.rays(); ++ray) {
+        const glm::dvec2 middle = (glm::dvec2(ray % 15, ray / 15) + 0.5) * 8.0;
+        if (!hit(scalar[0], middle, -1e-3)) continue;
+        if (!hit(scalar[0], middle, 1e-3)) continue;
+        int inside = 0;
+        bool sure = true;
+        for (int k = 0; k < 4; ++k) {
+          const glm::dvec2 at = middle + glm::dvec2(k & 1 ? 2 : -2, k & 2 ? 2 : -2);
+          inside += hit(scalar[0], at).has_value();
+          sure = sure && hit(scalar[0], at, 1e-3).has_value() == hit(scalar[0], at, -1e-3).has_value();
+        }
+        if (!sure) continue;
+        ++cells[size_t(inside)];
+        ASSERT_EQ(settings.samples == 0 ? 2048u : 512u * uint32_t(inside), words[ray * 128 + 30])
+            << "ray " << ray;
+      }
+    }
+  }
+  EXPECT_GT(cells[4], 10u);
+  EXPECT_GT(cells[1] + cells[2], 10u) << "cells that a card covers in part";
+}
+
 TEST_F(AvboitSplat, WhatIsBehindTheFarthestSurfaceOfACellIsNotSplatted) {
   size = {64, 64};
   Solid wall;  // covers the right half of the picture
