@@ -1,7 +1,7 @@
 // AVBOIT, draw: every fragment in any order, weighted by the transmittance T(z) in front of it.
 //   light:   rgb sum (C a + E) T     a: prod(1 - a) of what does not tint
 //   norm:    sum a T                 what the fraction in resolve divides by; a sum for each channel behind RGB sources
-//   glow:    rgb sum E T             of exact cards, whose light needs no scaling
+//   glow:    rgb sum E (1 - a) T     of exact cards: shining without covering must not enter the fraction
 //   through: rgb prod t, a: prod(mean t), of what tints
 // Chromaticity skew (kSkew): optical depth of each channel counts as far as the fragment is seen, mix(gray, rgb, T(z)), so that
 // glass in thick smoke does not tint what lies before it.
@@ -39,12 +39,13 @@ void main() {
     const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, kExact != 0u ? -log(max(gray, kLeastTransmittance)) : 0.0);
     t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
   }
-  vec3 seen = f.color + (kExact != 0u ? vec3(0.0) : f.emission);
+  const float inside = kExact != 0u ? 1.0 - gray : 1.0;   // what shines as it covers is scaled as the coverage is
+  vec3 seen = f.color + f.emission * inside;
   vec3 tint = passed;
   if (kColour == kSkew || kColour == kFirstEvent) tint = exp(mix(log(max(vec3(gray), kLeastTransmittance)), log(max(passed, kLeastTransmittance)), t));
   if (kColour == kFirstEvent && kTints != 0u) seen *= luma(tint) / max(tint, vec3(1.0 / 256.0));
   light = vec4(seen * t, kTints != 0u ? 1.0 : gray);
   norm = vec4((1.0 - weighed) * t, 0.0);
   through = vec4(tint, gray);
-  glow = vec4(f.emission * t, 0.0);
+  glow = vec4(f.emission * (1.0 - inside) * t, 0.0);
 }

@@ -18,7 +18,7 @@ const uint kIntoLayers = 2u;  // the exact layers of a pixel
 const uint kKindPlain = 0u;    // faces the camera, so it lies in one slice, and passes no light where it covers
 const uint kKindGeneral = 1u;  // spans slices or passes light, all colours alike
 const uint kKindRgb = 2u;      // passes some colours better than others
-const uint kKindExact = 3u;    // is in the exact layers, or shines without covering: its light needs no scaling
+const uint kKindExact = 3u;    // is in the exact layers, or shines without covering
 const uint kBehindRgb = 1u;
 const uint kBehindLayers = 2u;  // always so for kKindExact
 
