@@ -53,6 +53,7 @@ bool shares_file(const FrameResult& a, const FrameResult& b) {
 std::string label_of(const MethodRun& run) {
   std::string label = run.id;
   for (const auto& [name, value] : run.settings) label += fmt::format("-{}-{}", name, value);
+  std::ranges::replace(label, '/', '_');  // "1/4" is a value, not a folder
   return label;
 }
 

@@ -55,6 +55,14 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
   EXPECT_EQ(methods, method_ids());
 }
 
+TEST_F(CompareTest, ASlashInASettingMakesNoFolder) {
+  const Outcome outcome = compare_street({"--methods", "avboit", "--set", "avboit.resolution=1/4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string image = results()["frames"][0]["image"];
+  EXPECT_EQ(image, "street_000400_avboit-resolution-1_4.png");
+  EXPECT_TRUE(std::filesystem::exists(out_ / image));
+}
+
 TEST_F(CompareTest, ReferenceHasNoErrorAndTheOthersHave) {
   ASSERT_EQ(compare_street().exit_code, 0);
   for (const json& frame : results()["frames"]) {

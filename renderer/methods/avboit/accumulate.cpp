@@ -90,6 +90,8 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     add(each_channel ? "norm_rgb" : "norm", gpu::Blend::kAdd);
     if (tints) add("through", gpu::Blend::kMultiply);
     if (exact) add("glow", gpu::Blend::kAdd);
+    const uint32_t lane_bits =
+        kind == shared::kKindRgb && plan.rgb ? (plan.rgb_words() == 1 ? 8u : 32u) : s.lane_bits();
     const glm::uvec2 area = half ? (plan.size + 1u) / 2u : plan.size;
     picture.transparents.draw(
         pass, {.fragment = "methods/avboit/accumulate.frag",
@@ -100,7 +102,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                .vertex = "methods/avboit/card_at_slice.vert",
                .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
                              tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
-                             behind_layers ? 1u : 0u, exact ? 1u : 0u, half ? 2u : 1u},
+                             behind_layers ? 1u : 0u, exact ? 1u : 0u, half ? 2u : 1u, lane_bits},
                .bindings = {{"VolumeBlock", buffer("volume")},
                             {"WarpTable", buffer("warp")},
                             {"Layers", buffer("layers")},
