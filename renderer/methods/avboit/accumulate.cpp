@@ -42,6 +42,8 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     const bool tints = exact || kind == shared::kKindRgb;
     const bool each_channel =
         colour == Colour::kRgb && (kind == shared::kKindRgb || exact || behind_rgb || behind_layers);
+    const uint32_t lane_bits =
+        kind == shared::kKindRgb && plan.rgb ? (plan.rgb_words() == 1 ? 8u : 32u) : s.lane_bits();
     // What a kind of card does not need comes last, and is left out.
     std::vector<gpu::Attachment> targets;
     const auto add = [&](const char* name, gpu::Blend blend) {
@@ -60,7 +62,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                .vertex = "methods/avboit/card_at_slice.vert",
                .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
                              tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
-                             behind_layers ? 1u : 0u, exact ? 1u : 0u},
+                             behind_layers ? 1u : 0u, exact ? 1u : 0u, lane_bits},
                .bindings = {{"VolumeBlock", buffer("volume")},
                             {"WarpTable", buffer("warp")},
                             {"Layers", buffer("layers")},

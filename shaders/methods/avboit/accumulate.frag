@@ -30,7 +30,7 @@ void main() {
   const float gray = 1.0 - gray_coverage(f);
   const vec3 passed = kTints != 0u && kColour != kMono ? transmittance(f) : vec3(gray);
   const vec3 weighed = kColour == kFullRgb ? passed : vec3(gray);
-  const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(f.optical_depth);
+  const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(min(f.optical_depth, -log(kLeastTransmittance)));
   vec3 t = transmittance_at(gl_FragCoord.xy, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
   if (kBehindLayers != 0u) {
     const vec3 layers_t = layers_in_front(uvec2(gl_FragCoord.xy), f.depth, kExact != 0u ? -log(max(gray, kLeastTransmittance)) : 0.0);

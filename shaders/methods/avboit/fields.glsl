@@ -8,12 +8,14 @@
 
 uint full_field(uint bits) { return bits == 32u ? 0xffffffffu : (1u << bits) - 1u; }
 
+float most_depth(uint bits) { return bits == 8u ? kLog255 : kMostDepth; }   // of one event
+
 float steps_per_depth(uint bits) {
   return bits == 8u ? 255.0 / kLog255 : bits == 16u ? 65535.0 / kMostDepth : kStepsPerDepth32;
 }
 
 // Rounded to the nearest, or up with the probability of the fraction when `dither` is uniform in [0, 1) instead of 0.5.
 uint quantise(float tau, uint bits, float dither) {
-  return uint(min(tau, bits == 8u ? kLog255 : kMostDepth) * steps_per_depth(bits) + dither);
+  return uint(min(tau, most_depth(bits)) * steps_per_depth(bits) + dither);
 }
 #endif
