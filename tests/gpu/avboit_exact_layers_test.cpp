@@ -178,5 +178,43 @@ TEST_F(AvboitExactLayers, MakeAPictureThatIsTheExactCompositeOfAsManyPanes) {
   }
 }
 
+TEST_F(AvboitExactLayers, SharpAndSmoothCardsHideEachOther) {
+  scene.light.horizon = {0.3f, 0.5f, 0.7f};
+  for (int round = 0; round < 4; ++round) {
+    clear_cards();
+    for (int i = 0; i < 8; ++i) {
+      const bool sharp = random.one_in(2);
+      add({.z = 3 + float(i) + random.f(0, 0.5),
+           .optical_depth = random.f(0.2, 1.5),
+           .color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)},
+           .transmission = sharp && random.one_in(2) ? glm::vec3(0.9f, 0.3f, 0.1f) : glm::vec3(0.0f),
+           .layer = sharp ? shared::kSolidLayer : 0});
+    }
+    // Smooth cards are some slices apart, so that the volume knows who is in front.
+    const auto reference = draw_cards("reference").linear.pixels,
+               drawn = draw_cards("avboit", {{"exact_layers", "8"}}).linear.pixels;
+    for (size_t i = 0; i < drawn.size(); ++i)
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(reference[i][c], drawn[i][c], 6.0f / 1024) << "pixel " << i;
+  }
+}
+
+TEST_F(AvboitExactLayers, WhatIsBehindMoreLayersThanAreKeptIsHiddenByAllOfThem) {
+  for (const uint32_t layers : {2u, 4u}) {
+    clear_cards();
+    double through = 1;
+    for (int i = 0; i < 7; ++i) {
+      const float tau = random.f(0.1, 0.4);
+      through *= std::exp(-double(tau));
+      add({.z = 3 + float(i) * 0.4f, .optical_depth = tau, .layer = shared::kSolidLayer});
+    }
+    add({.z = 9, .optical_depth = 0.7f, .color = glm::vec3(1.0f)});
+    const double expected = through * (1 - std::exp(-0.7));
+    for (const glm::vec3& pixel :
+         draw_cards("avboit", {{"exact_layers", std::to_string(layers)}, {"normalise", "false"}})
+             .linear.pixels)
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(expected, double(pixel[c]), 3.0 / 1024);
+  }
+}
+
 }  // namespace
 }  // namespace plume

@@ -52,6 +52,31 @@ TEST_F(AvboitHardCases, TheNearestOfThreeNearOpaqueCardsOneSliceApartIsPure) {
       }
 }
 
+TEST_F(AvboitHardCases, AnOpaqueCardDoesNotShineThroughWhatIsInFrontOfIt) {
+  // Its own optical depth is more than a field holds: it may take out of the integral no more than it put in.
+  size = {24, 16};
+  for (const char* splat : {"packed8", "packed8_exchange", "packed8_overflow", "packed16", "words32"})
+    for (const char* rgb_splat : {"words32", "packed10"})
+      for (const float behind : {6.0f, 20.0f, shared::kOpaqueDepth})
+        for (const bool tints : {false, true}) {
+          SCOPED_TRACE(testing::Message() << splat << " rgb " << rgb_splat << " optical depth " << behind
+                                          << (tints ? " tints" : ""));
+          clear_cards();
+          add({.z = 5, .optical_depth = 3, .color = {0.8f, 0, 0}});
+          add({.z = 8,
+               .optical_depth = behind,
+               .color = {0, 0.8f, 0},
+               .transmission = tints ? glm::vec3(0, 0, 0.5f) : glm::vec3(0.0f)});
+          add({.z = 9, .optical_depth = 0.7f, .color = {0, 0, 0.8f}, .yaw = 0.1f});
+          const auto exact = draw_cards("reference").linear.pixels,
+                     drawn = draw_cards("avboit",
+                                        {{"splat", splat}, {"rgb_splat", rgb_splat}, {"exact_layers", "0"}})
+                                 .linear.pixels;
+          for (size_t i = 0; i < drawn.size(); ++i)
+            for (int c = 0; c < 3; ++c) ASSERT_NEAR(exact[i][c], drawn[i][c], 2.0f / 255) << "pixel " << i;
+        }
+}
+
 /// The largest change of a pixel from one step of a dolly to the next, where the exact picture does not
 /// change.
 class AvboitDolly : public AvboitHardCases {

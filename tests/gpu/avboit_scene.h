@@ -126,7 +126,7 @@ inline CardBounds bounds_of(const shared::Card& card, const shared::ViewData& vi
 
 class AvboitTest : public GpuTest {
  protected:
-  enum class Until { kAdapt, kOccupancy, kSplat, kExactLayers, kIntegrate, kZeroDepth };
+  enum class Until { kAdapt, kOccupancy, kSplat, kExactLayers, kIntegrate, kZeroDepth, kClassify };
 
   glm::uvec2 size{64, 36};
   Scene scene = room();
@@ -289,6 +289,7 @@ class AvboitTest : public GpuTest {
     if (until >= Until::kExactLayers) avboit::record_exact_layers(picture, s.plan);
     if (until >= Until::kIntegrate) avboit::record_integrate(picture, s.plan);
     if (until >= Until::kZeroDepth) avboit::record_zero_depth(picture, s.plan);
+    if (until >= Until::kClassify) avboit::record_classify(picture, s.plan);
     frame.finish();
     return s;
   }

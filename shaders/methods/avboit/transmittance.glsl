@@ -6,10 +6,12 @@
 #define PLUME_AVBOIT_TRANSMITTANCE_GLSL
 #include "methods/avboit/depth_warp.glsl"
 #include "methods/avboit/exact_layers.h"
+#include "methods/avboit/fields.glsl"
 
 layout(constant_id = 0) const uint kSampling = 4u;   // 0 point, 1 linear, 2 quadratic, 3 cubic, 4 self-excluded
 layout(constant_id = 1) const uint kLinear = 1u;     // how the splat shared optical depth
 layout(constant_id = 2) const uint kRgb = 0u;        // read each channel
+layout(constant_id = 8) const uint kLaneBits = 16u;  // of the fields that the fragment's own optical depth went into
 layout(binding = 10) uniform sampler2DArray integral;      // (before, behind) each slice
 layout(binding = 11) uniform sampler2DArray integral_rg;   // (r before, r behind, g before, g behind)
 layout(binding = 12) uniform sampler2DArray integral_b;
@@ -67,9 +69,10 @@ vec3 transmittance_at(vec2 pixel, float p, vec3 own) {
   vec3 t;
   if (kSampling == 4u) {
     // A slice's optical depth is spread over it, so what was splatted at p lies around p + 1/2: that is where to read.
-    const float g = fract(p);
-    const float share = kLinear != 0u ? (1.0 - g) * min(g + 0.5, 1.0) + g * max(g - 0.5, 0.0) : g;
-    t = exp(-max(value_at(uv, kLinear != 0u ? p + 0.5 : p) - own * share, vec3(0.0)));
+    const float g = fract(p), most = most_depth(kLaneBits);   // no share is more than a field holds
+    const vec3 share = kLinear != 0u ? min(own * (1.0 - g), most) * min(g + 0.5, 1.0) + min(own * g, most) * max(g - 0.5, 0.0)
+                                     : min(own, most) * g;
+    t = exp(-max(value_at(uv, kLinear != 0u ? p + 0.5 : p) - share, vec3(0.0)));
   } else {
     t = value_at(uv, (kSampling == 0u ? floor(p) : p + 1.0) - volume.bias);
   }
