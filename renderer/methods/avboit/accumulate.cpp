@@ -102,7 +102,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                .vertex = "methods/avboit/card_at_slice.vert",
                .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
                              tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
-                             behind_layers ? 1u : 0u, exact ? 1u : 0u, half ? 2u : 1u, lane_bits},
+                             behind_layers ? 1u : 0u, exact ? 1u : 0u, lane_bits, half ? 2u : 1u},
                .bindings = {{"VolumeBlock", buffer("volume")},
                             {"WarpTable", buffer("warp")},
                             {"Layers", buffer("layers")},

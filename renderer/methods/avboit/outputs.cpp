@@ -12,7 +12,7 @@ void record_outputs(const Picture& picture, const Plan& plan) {
     style.opaque_depth = &picture.opaque_depth;
     style.area = picture.area();
     style.constants = {uint32_t(plan.settings.sampling), plan.settings.linear_splat ? 1u : 0u,
-                       plan.rgb ? 1u : 0u};
+                       plan.rgb ? 1u : 0u, 0, 0, 0, 0, 0, plan.settings.lane_bits()};
     style.bindings = {{"VolumeBlock", buffer("volume")},
                       {"WarpTable", buffer("warp")},
                       {"Layers", buffer("layers")},

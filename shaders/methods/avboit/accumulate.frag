@@ -9,7 +9,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "methods/avboit/colour.h"
-#include "methods/avboit/fields.glsl"
 #include "methods/avboit/transmittance.glsl"
 
 layout(constant_id = 3) const uint kTints = 0u;       // what it passes goes into `through`, a channel each
@@ -19,8 +18,7 @@ layout(constant_id = 5) const uint kColour = kFullRgb;
 layout(constant_id = 7) const uint kExact = 0u;          // its optical depth is in the layers, not in the volume
 layout(constant_id = 6) const uint kBehindLayers = 0u;
 
-layout(constant_id = 8) const uint kScale = 1u;          // pixels of the picture a fragment, each way
-layout(constant_id = 9) const uint kLaneBits = 16u;      // of the fields that its optical depth went into
+layout(constant_id = 9) const uint kScale = 1u;          // pixels of the picture a fragment, each way
 
 layout(location = 7) flat in float v_slice;
 
@@ -34,8 +32,7 @@ void main() {
   const float gray = 1.0 - gray_coverage(f);
   const vec3 passed = kTints != 0u && kColour != kMono ? transmittance(f) : vec3(gray);
   const vec3 weighed = kColour == kFullRgb ? passed : vec3(gray);
-  const vec3 all_own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(f.optical_depth);
-  const vec3 own = min(all_own, vec3(most_depth(kLaneBits)));   // no more than the splat put in
+  const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(min(f.optical_depth, -log(kLeastTransmittance)));   // as the splat takes it
   const vec2 pixel = gl_FragCoord.xy * float(kScale);
   vec3 t = transmittance_at(pixel, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
   if (kBehindLayers != 0u) {
