@@ -1,7 +1,8 @@
 // AVBOIT, integrate: sums extinction along each ray. Where a slice s is occupied, layer s of the integral holds the value in front of
 // it and behind it, so that one fetch, filtered across cells, serves the interpolation inside it:
 //   tau(s) = sum_{k < s} tau_k   (what self-excluded sampling reads),   or   T(s) = exp(-tau(s))   (what biased samplings read).
-// From the first overflowing slice on T = 0. The first slice behind which less than the zero transmittance is left is recorded.
+// A slice counts kFullSlice at most, and from the first overflowing one on every slice does: what shares such a slice must keep
+// weights that half floats hold, or it turns black. The first slice behind which less than the zero transmittance is left is recorded.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_image_load_formatted : require
@@ -83,14 +84,16 @@ void main() {
       const uint bit = mask & -mask, slice = m * 32u + uint(findLSB(mask));
       if (slice >= warp.used) break;
       const float before = stored(tau);
-      if ((scalar & bit) != 0u) tau += scalar_depth(ivec2(cell), ray, slice);
-      if (slice >= saturated) tau = kSaturatedDepth;
+      const float most = min(tau + kFullSlice, kSaturatedDepth);
+      if ((scalar & bit) != 0u) tau = min(tau + scalar_depth(ivec2(cell), ray, slice), most);
+      if (slice >= saturated) tau = most;
       imageStore(integral, ivec3(cell, slice), vec4(before, stored(tau), 0.0, 0.0));
       float least = tau;
       if (kRgb != 0u) {
-        if ((rgb & bit) != 0u) tau_rgb += rgb_depth(ivec2(cell), ray, slice);
-        tau_rgb = mix(tau_rgb, vec3(kSaturatedDepth), greaterThanEqual(uvec3(slice), saturated_rgb));
-        const vec3 all = min(tau + tau_rgb, vec3(2.0 * kSaturatedDepth));
+        const vec3 most_rgb = min(tau_rgb + kFullSlice, kSaturatedDepth);
+        if ((rgb & bit) != 0u) tau_rgb = min(tau_rgb + rgb_depth(ivec2(cell), ray, slice), most_rgb);
+        tau_rgb = mix(tau_rgb, most_rgb, greaterThanEqual(uvec3(slice), saturated_rgb));
+        const vec3 all = tau + tau_rgb;
         const vec3 behind = vec3(stored(all.r), stored(all.g), stored(all.b));
         imageStore(integral_rg, ivec3(cell, slice), vec4(all_before.r, behind.r, all_before.g, behind.g));
         imageStore(integral_b, ivec3(cell, slice), vec4(all_before.b, behind.b, 0.0, 0.0));

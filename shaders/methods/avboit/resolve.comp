@@ -1,5 +1,6 @@
 // AVBOIT, resolve:  image_c = (sum C a T_c) (1 - prod t_c + e) / (sum a_c T_c + e) + background prod t_c.
-// The small e (kEpsilon) makes the fraction 1 where nothing covers, so that emission without coverage passes as it is.
+// The small e (kEpsilon) makes the fraction 1 where nothing covers, so that emission without coverage passes as it is. It vanishes as
+// coverage grows: all weights may be small where much is in one slice.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/avboit/colour.h"
@@ -101,7 +102,8 @@ void main() {
     if (mixed) atomicAdd(flagged[0], 1u);
     if (!mixed || kSkewGuard == 0u) seen *= s.through.rgb / max(luma(s.through.rgb), 1e-6);
   }
-  if (kNormalise != 0u) seen *= (covers + kEpsilon) / (s.norm + kEpsilon);
+  const vec3 left = max(1.0 - covers, 0.0), e = kEpsilon * left * left + 1e-7;
+  if (kNormalise != 0u) seen *= (covers + e) / (s.norm + e);
   seen += texelFetch(glow, pixel, 0).rgb;
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));
 }

@@ -69,7 +69,7 @@ vec3 transmittance_at(vec2 pixel, float p, vec3 own) {
   vec3 t;
   if (kSampling == 4u) {
     // A slice's optical depth is spread over it, so what was splatted at p lies around p + 1/2: that is where to read.
-    const float g = fract(p), most = most_depth(kLaneBits);   // no share is more than a field holds
+    const float g = fract(p), most = min(most_depth(kLaneBits), kFullSlice);   // of a share, as it was stored and summed
     const vec3 share = kLinear != 0u ? min(own * (1.0 - g), most) * min(g + 0.5, 1.0) + min(own * g, most) * max(g - 0.5, 0.0)
                                      : min(own, most) * g;
     t = exp(-max(value_at(uv, kLinear != 0u ? p + 0.5 : p) - share, vec3(0.0)));

@@ -44,6 +44,7 @@ struct DepthWarp {
 
 const float kLeastTransmittance = 1.1e-7f;  // e^-16: black in every format, and a logarithm exists
 const float kMostDepth = 16.0f;             // optical depth of a full 16-bit field
+const float kFullSlice = 8.0f;  // what one slice counts at most: nothing is seen behind it, and what shares it still is
 const float kSaturatedDepth = 64.0f;        // stands for T = 0 in the integral
 const float kLog255 = 5.5412635f;           // ln 255: the optical depth of a full 8-bit field
 const float kStepsPerDepth32 = 4096.0f;     // of a 32-bit word, a unit of optical depth
