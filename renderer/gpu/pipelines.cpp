@@ -99,9 +99,8 @@ const Pipeline& Pipelines::compute(const std::string& shader, const Constants& c
 }
 
 const Pipeline& Pipelines::graphics(const GraphicsDesc& desc) {
-  std::string key =
-      fmt::format("{} {} {} {} {}", desc.vertex, desc.fragment, int(desc.depth), int(desc.strip),
-                  fmt::join(desc.constants, ","));
+  std::string key = fmt::format("{} {} {} {} {}", desc.vertex, desc.fragment, int(desc.depth),
+                                int(desc.strip), fmt::join(desc.constants, ","));
   for (const Target& target : desc.targets)
     key += fmt::format(" {}:{}", int(target.format), int(target.blend));
   return find_or_make(std::move(key), [this, desc] { return make_graphics(desc); });

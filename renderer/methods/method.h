@@ -111,7 +111,8 @@ class Method {
   /// Records what can be done before opaque things are shaded; gives the depth that hides some of them.
   virtual const gpu::Image& prepare(const Picture& picture) { return picture.opaque_depth; }
   virtual void record(const Picture& picture) = 0;
-  /// What the last frame tells of itself beyond its passes, name -> number; for reports. May wait for the device.
+  /// What the last frame tells of itself beyond its passes, name -> number; for reports. May wait for the
+  /// device.
   virtual nlohmann::json statistics(gpu::Device&, const Resources&) const { return nlohmann::json::object(); }
   /// Called when the frame is done: true when something overflowed, needs() has grown, and the frame must be
   /// drawn again.

@@ -40,7 +40,7 @@ struct FrameResult {
   std::vector<std::string> left_out;  ///< outputs the picture wants that the method does not write
   std::optional<ErrorSummary> error;  ///< against the exact reference
   nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
-  std::string image, error_map;       ///< file names beside results.json; "" = not written
+  std::string image, error_map;                          ///< file names beside results.json; "" = not written
 };
 
 struct Results {

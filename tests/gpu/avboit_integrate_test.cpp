@@ -107,25 +107,25 @@ class AvboitIntegrate : public AvboitTest {
       for (const gpu::Image* i : {&all, &rg, &b}) pass.clear(*i, {kNan, kNan, kNan, kNan});
     });
     frame.pass("integrate", [&](gpu::Pass& pass) {
-      pass.dispatch(pass.pipelines().compute("methods/avboit/integrate.comp",
-                                             {c.sparse ? 1u : 0u, c.lane_bits, c.rgb_words,
-                                              c.transmittance ? 1u : 0u, c.eight_bits ? 1u : 0u, 0u,
-                                              c.rgb_words != 0 ? 1u : 0u}),
-                    {{"VolumeBlock", &block},
-                     {"WarpTable", &table},
-                     {"Occupancy", &occupancy},
-                     {"Extinction", &in},
-                     {"Overflow", &over},
-                     {"ExtinctionRgb", &rgb_in},
-                     {"OverflowRgb", &rgb_over},
-                     {"integral", &all},
-                     {"integral_rg", &rg},
-                     {"integral_b", &b},
-                     {"extinction_layers", &no_layers},
-                     {"extinction_layers_rgb", &no_layers},
-                     {"ZeroSlice", &zero},
-                     {"RgbStart", &start}},
-                    0u, {2, 2, 1});
+      pass.dispatch(
+          pass.pipelines().compute("methods/avboit/integrate.comp",
+                                   {c.sparse ? 1u : 0u, c.lane_bits, c.rgb_words, c.transmittance ? 1u : 0u,
+                                    c.eight_bits ? 1u : 0u, 0u, c.rgb_words != 0 ? 1u : 0u}),
+          {{"VolumeBlock", &block},
+           {"WarpTable", &table},
+           {"Occupancy", &occupancy},
+           {"Extinction", &in},
+           {"Overflow", &over},
+           {"ExtinctionRgb", &rgb_in},
+           {"OverflowRgb", &rgb_over},
+           {"integral", &all},
+           {"integral_rg", &rg},
+           {"integral_b", &b},
+           {"extinction_layers", &no_layers},
+           {"extinction_layers_rgb", &no_layers},
+           {"ZeroSlice", &zero},
+           {"RgbStart", &start}},
+          0u, {2, 2, 1});
     });
     frame.finish();
     Integral out;

@@ -158,7 +158,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                    {"glow", image("glow")},
                    {"opaque_color", &picture.opaque_color},
                    {"result", &picture.result}},
-        picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
+                  picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
   });
 }
 

@@ -25,26 +25,25 @@ void record_integrate(const Picture& picture, const Plan& plan) {
   const Settings& s = plan.settings;
   const bool transmittance = s.sampling != Sampling::kSelfExcluded;
   picture.frame.pass("integrate", [&](gpu::Pass& pass) {
-    pass.dispatch(
-        pass.pipelines().compute("methods/avboit/integrate.comp",
-                                 {s.sparse ? 1u : 0u, s.lane_bits(), plan.rgb_words(),
-                                  transmittance ? 1u : 0u, transmittance && s.eight_bits ? 1u : 0u, plan.raster() ? 1u : 0u,
-                                  plan.rgb ? 1u : 0u}),
-        {{"VolumeBlock", buffer("volume")},
-         {"WarpTable", buffer("warp")},
-         {"Occupancy", buffer("occupancy")},
-         {"Extinction", buffer("extinction")},
-         {"Overflow", buffer("overflow")},
-         {"ExtinctionRgb", buffer("extinction_rgb")},
-         {"OverflowRgb", buffer("overflow_rgb")},
-         {"integral", &picture.resources.image("integral")},
-         {"integral_rg", &picture.resources.image("integral_rg")},
-         {"integral_b", &picture.resources.image("integral_b")},
-         {"extinction_layers", &picture.resources.image("extinction_layers")},
-         {"extinction_layers_rgb", &picture.resources.image("extinction_layers_rgb")},
-         {"ZeroSlice", buffer("zero_slice")},
-         {"RgbStart", buffer("rgb_start")}},
-        0u, {plan.volume.tiles.x, plan.volume.tiles.y, 1});
+    pass.dispatch(pass.pipelines().compute(
+                      "methods/avboit/integrate.comp",
+                      {s.sparse ? 1u : 0u, s.lane_bits(), plan.rgb_words(), transmittance ? 1u : 0u,
+                       transmittance && s.eight_bits ? 1u : 0u, plan.raster() ? 1u : 0u, plan.rgb ? 1u : 0u}),
+                  {{"VolumeBlock", buffer("volume")},
+                   {"WarpTable", buffer("warp")},
+                   {"Occupancy", buffer("occupancy")},
+                   {"Extinction", buffer("extinction")},
+                   {"Overflow", buffer("overflow")},
+                   {"ExtinctionRgb", buffer("extinction_rgb")},
+                   {"OverflowRgb", buffer("overflow_rgb")},
+                   {"integral", &picture.resources.image("integral")},
+                   {"integral_rg", &picture.resources.image("integral_rg")},
+                   {"integral_b", &picture.resources.image("integral_b")},
+                   {"extinction_layers", &picture.resources.image("extinction_layers")},
+                   {"extinction_layers_rgb", &picture.resources.image("extinction_layers_rgb")},
+                   {"ZeroSlice", buffer("zero_slice")},
+                   {"RgbStart", buffer("rgb_start")}},
+                  0u, {plan.volume.tiles.x, plan.volume.tiles.y, 1});
   });
 }
 

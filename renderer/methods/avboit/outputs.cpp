@@ -11,14 +11,18 @@ void record_outputs(const Picture& picture, const Plan& plan) {
     style.depth_test = &visible_depth(picture, plan);
     style.opaque_depth = &picture.opaque_depth;
     style.area = picture.area();
-    style.constants = {uint32_t(plan.settings.sampling), plan.settings.linear_splat ? 1u : 0u,
-                       plan.rgb ? 1u : 0u, 0, 0, 0, 0, 0, plan.settings.lane_bits()};
-    style.bindings = {{"VolumeBlock", buffer("volume")},
-                      {"WarpTable", buffer("warp")},
-                      {"Layers", buffer("layers")},
-                      {"LayerTail", buffer("layer_tail")},
-                      {"integral", image("integral")},
-                      {"integral_rg", image("integral_rg")},
+    style.constants = {uint32_t(plan.settings.sampling),
+                       plan.settings.linear_splat ? 1u : 0u,
+                       plan.rgb ? 1u : 0u,
+                       0,
+                       0,
+                       0,
+                       0,
+                       0,
+                       plan.settings.lane_bits()};
+    style.bindings = {{"VolumeBlock", buffer("volume")},  {"WarpTable", buffer("warp")},
+                      {"Layers", buffer("layers")},       {"LayerTail", buffer("layer_tail")},
+                      {"integral", image("integral")},    {"integral_rg", image("integral_rg")},
                       {"integral_b", image("integral_b")}};
     picture.frame.pass(pass_name, [&](gpu::Pass& pass) { picture.transparents.draw(pass, style); });
   };

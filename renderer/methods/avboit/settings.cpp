@@ -59,7 +59,8 @@ void Settings::visit(ParameterVisitor& visitor) {
                    {.min = 0.1, .max = 10000.0, .unit = "m", .help = "depth up to which it is asked for"});
   }
   choice(visitor, "splat", splat, kSplats,
-         "how optical depth of scalar sources is stored: more bits keep thin smoke, fewer take less memory; raster "
+         "how optical depth of scalar sources is stored: more bits keep thin smoke, fewer take less memory; "
+         "raster "
          "multiplies transmittance into layers and takes each card as one slice");
   choice(visitor, "rgb_splat", rgb_splat, kRgbSplats,
          "the same of RGB sources: packed carries into the next channel after four saturated events");
@@ -92,9 +93,10 @@ void Settings::visit(ParameterVisitor& visitor) {
          "does not draw what lies behind opaque smoke: tile quads, or every pixel's depth to compare");
   visitor.number("zero_transmittance", zero_transmittance,
                  {.min = 1e-6, .max = 0.1, .unit = "", .help = "below this nothing behind is drawn"});
-  visitor.toggle("half_particles", half_particles,
-                 "draws soft particles at half the resolution beside everything else: a quarter of the fragments, "
-                 "coarser edges");
+  visitor.toggle(
+      "half_particles", half_particles,
+      "draws soft particles at half the resolution beside everything else: a quarter of the fragments, "
+      "coarser edges");
   visitor.toggle("cull_opaque", cull_opaque, "does not shade opaque things behind opaque smoke either");
 }
 
@@ -109,7 +111,8 @@ uint32_t Settings::slice_count() const {
 double Settings::virtual_slices_asked() const {
   if (slice_thickness <= 0.0f) return kLeastVirtualChoice << virtual_slices;
   // A slice at z is (a + z) ln(1 + b / a) / n thick.
-  return std::ceil((curve_a + thickness_range) * std::log1p(double(curve_b) / curve_a) / double(slice_thickness));
+  return std::ceil((curve_a + thickness_range) * std::log1p(double(curve_b) / curve_a) /
+                   double(slice_thickness));
 }
 
 uint32_t Settings::virtual_slice_count() const {

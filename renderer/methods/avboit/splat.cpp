@@ -28,8 +28,9 @@ void add_splat_needs(Needs& needs, const Plan& plan) {
                            .bytes = rays * plan.volume.slices * plan.settings.lane_bits() / 8,
                            .clear = {}});
   needs.buffers.push_back({.name = "overflow", .bytes = rays * 4, .clear = shared::kNoOverflow});
-  needs.buffers.push_back(
-      {.name = "overlaps", .bytes = (plan.watches_overlap() ? rays : 1) * sizeof(shared::Overlap), .clear = 0});
+  needs.buffers.push_back({.name = "overlaps",
+                           .bytes = (plan.watches_overlap() ? rays : 1) * sizeof(shared::Overlap),
+                           .clear = 0});
   const auto add_layers = [&](const char* name, vk::Format format, bool wanted) {
     needs.images.push_back({.name = name,
                             .format = format,
@@ -84,17 +85,18 @@ void record_splat(const Picture& picture, const Plan& plan) {
     for (uint32_t beyond = 0; beyond < (plan.settings.linear_splat ? 2u : 1u); ++beyond) {
       gpu::Constants constants = common;
       constants.insert(constants.end(), {into == shared::kIntoRgb ? 1u : 0u, beyond});
-      picture.transparents.draw(pass, {.fragment = "methods/avboit/splat_layer.frag",
-                                       .targets = {{.image = &layers, .blend = gpu::Blend::kMultiply, .clear = {}}},
-                                       .opaque_depth = &farthest,
-                                       .area = {v.cells.x, v.cells.y},
-                                       .vertex = "methods/avboit/splat_layer.vert",
-                                       .constants = std::move(constants),
-                                       .bindings = {volume, warp},
-                                       .order = buffer("source_order"),
-                                       .indirect = buffer("source_draws"),
-                                       .indirect_index = into,
-                                       .covered = glm::vec2(plan.size) / glm::vec2(v.cells * v.divisor)});
+      picture.transparents.draw(pass,
+                                {.fragment = "methods/avboit/splat_layer.frag",
+                                 .targets = {{.image = &layers, .blend = gpu::Blend::kMultiply, .clear = {}}},
+                                 .opaque_depth = &farthest,
+                                 .area = {v.cells.x, v.cells.y},
+                                 .vertex = "methods/avboit/splat_layer.vert",
+                                 .constants = std::move(constants),
+                                 .bindings = {volume, warp},
+                                 .order = buffer("source_order"),
+                                 .indirect = buffer("source_draws"),
+                                 .indirect_index = into,
+                                 .covered = glm::vec2(plan.size) / glm::vec2(v.cells * v.divisor)});
     }
   };
   picture.frame.pass("splat", [&](gpu::Pass& pass) {
@@ -102,8 +104,11 @@ void record_splat(const Picture& picture, const Plan& plan) {
       draw_layers(pass, "extinction_layers", shared::kIntoScalar);
     else
       draw(pass, "methods/avboit/splat.frag", shared::kIntoScalar,
-         {plan.settings.lane_bits(), overflow_handling(plan.settings.splat), plan.watches_overlap() ? 1u : 0u},
-         {{"Extinction", buffer("extinction")}, {"Overflow", buffer("overflow")}, {"Overlaps", buffer("overlaps")}});
+           {plan.settings.lane_bits(), overflow_handling(plan.settings.splat),
+            plan.watches_overlap() ? 1u : 0u},
+           {{"Extinction", buffer("extinction")},
+            {"Overflow", buffer("overflow")},
+            {"Overlaps", buffer("overlaps")}});
     if (plan.rgb_raster())
       draw_layers(pass, "extinction_layers_rgb", shared::kIntoRgb);
     else if (plan.rgb)

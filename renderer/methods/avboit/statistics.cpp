@@ -5,7 +5,9 @@ namespace plume::avboit {
 
 nlohmann::json statistics(gpu::Device& device, const Resources& resources, const Plan& plan) {
   const auto words = [&](const char* name) { return gpu::read<uint32_t>(device, resources.buffer(name)); };
-  const auto noted = [](auto first, auto last) { return uint64_t(last - first - std::count(first, last, shared::kNoOverflow)); };
+  const auto noted = [](auto first, auto last) {
+    return uint64_t(last - first - std::count(first, last, shared::kNoOverflow));
+  };
   const auto warp = gpu::read<shared::DepthWarp>(device, resources.buffer("warp"))[0];
   const auto overflow = words("overflow");
   nlohmann::json result{{"virtual_slices", warp.virtual_slices},

@@ -14,10 +14,10 @@ void add_zero_depth_needs(Needs& needs, const Plan& plan) {
   if (plan.settings.zero_depth == ZeroDepth::kOff) return;
   const glm::uvec2 tiles = tiles_of(plan.size);
   const uint64_t count = uint64_t(tiles.x) * tiles.y;
-  needs.images.push_back({.name = "visible_depth",
-                          .format = vk::Format::eD32Sfloat,
-                          .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment |
-                                   vk::ImageUsageFlagBits::eSampled});
+  needs.images.push_back(
+      {.name = "visible_depth",
+       .format = vk::Format::eD32Sfloat,
+       .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled});
   needs.buffers.push_back({.name = "zero_draw", .bytes = sizeof(shared::ZeroDraw), .clear = {}});
   needs.buffers.push_back({.name = "zero_tiles", .bytes = count * sizeof(shared::ZeroTile), .clear = {}});
   needs.buffers.push_back({.name = "zero_depths", .bytes = count * 4, .clear = {}});

@@ -15,7 +15,7 @@ const uint kIntoRgb = 1u;     // the volume, a value a channel
 const uint kIntoLayers = 2u;  // the exact layers of a pixel
 
 // Their draw: 4 * kind, and a bit for each thing that may lie in front of them.
-const uint kKindPlain = 0u;    // faces the camera, so it lies in one slice, and passes no light where it covers
+const uint kKindPlain = 0u;  // faces the camera, so it lies in one slice, and passes no light where it covers
 const uint kKindGeneral = 1u;  // spans slices or passes light, all colours alike
 const uint kKindRgb = 2u;      // passes some colours better than others
 const uint kKindExact = 3u;    // is in the exact layers, or shines without covering

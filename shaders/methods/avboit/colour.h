@@ -15,6 +15,8 @@ const uint kFullRgb = 4u;          // a transmittance for each channel
 PLUME_SHARED_END
 
 #ifndef __cplusplus
-float luma(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }   // Rec. 709
+float luma(vec3 c) {
+  return dot(c, vec3(0.2126, 0.7152, 0.0722));
+}  // Rec. 709
 #endif
 #endif

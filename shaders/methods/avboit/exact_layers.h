@@ -18,6 +18,8 @@ uint pack_layer(vec3 t) {
   const uvec3 q = uvec3(t * float(kLayerSteps) + 0.5);
   return q.r | q.g << 10 | q.b << 20;
 }
-vec3 unpack_layer(uint word) { return vec3(uvec3(word, word >> 10, word >> 20) & kLayerSteps) / float(kLayerSteps); }
+vec3 unpack_layer(uint word) {
+  return vec3(uvec3(word, word >> 10, word >> 20) & kLayerSteps) / float(kLayerSteps);
+}
 #endif
 #endif

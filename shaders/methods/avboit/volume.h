@@ -8,16 +8,16 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kMostSlices = 256u;            // physical, along a ray
-const uint kMostVirtualSlices = 32768u;   // where adaptation starts at the finest
-const uint kLeastVirtualSlices = 32u;     // and where it ends: they always fit
-const uint kTileCells = 8u;               // of an occupancy tile, each way
+const uint kMostSlices = 256u;              // physical, along a ray
+const uint kMostVirtualSlices = 32768u;     // where adaptation starts at the finest
+const uint kLeastVirtualSlices = 32u;       // and where it ends: they always fit
+const uint kTileCells = 8u;                 // of an occupancy tile, each way
 const uint kMaskWords = kMostSlices / 32u;  // one bit a slice
-const uint kApartWidth = 8u;              // physical slices of a virtual one that is set apart
+const uint kApartWidth = 8u;                // physical slices of a virtual one that is set apart
 
 struct Volume {
-  uvec2 cells;  // of the picture, rounded up
-  uvec2 tiles;  // of kTileCells x kTileCells cells
+  uvec2 cells;          // of the picture, rounded up
+  uvec2 tiles;          // of kTileCells x kTileCells cells
   uint divisor;         // pixels a cell, each way
   uint slices;          // physical: the budget
   uint virtual_slices;  // at the finest: a power of two
@@ -44,10 +44,11 @@ struct DepthWarp {
 
 const float kLeastTransmittance = 1.1e-7f;  // e^-16: black in every format, and a logarithm exists
 const float kMostDepth = 16.0f;             // optical depth of a full 16-bit field
-const float kFullSlice = 8.0f;  // what one slice counts at most: nothing is seen behind it, and what shares it still is
-const float kSaturatedDepth = 64.0f;        // stands for T = 0 in the integral
-const float kLog255 = 5.5412635f;           // ln 255: the optical depth of a full 8-bit field
-const float kStepsPerDepth32 = 4096.0f;     // of a 32-bit word, a unit of optical depth
+const float kFullSlice =
+    8.0f;  // what one slice counts at most: nothing is seen behind it, and what shares it still is
+const float kSaturatedDepth = 64.0f;     // stands for T = 0 in the integral
+const float kLog255 = 5.5412635f;        // ln 255: the optical depth of a full 8-bit field
+const float kStepsPerDepth32 = 4096.0f;  // of a 32-bit word, a unit of optical depth
 const uint kNoOverflow = 0xffffffffu;
 const uint kNoSlice = 0xffffffffu;
 

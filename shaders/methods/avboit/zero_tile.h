@@ -6,7 +6,8 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kZeroTilePixels = 16u;  // each way: whole quads keep depth compression and hierarchical depth (the talk)
+const uint kZeroTilePixels =
+    16u;  // each way: whole quads keep depth compression and hierarchical depth (the talk)
 
 struct ZeroTile {
   uvec2 tile;
