@@ -84,6 +84,7 @@ Prelude Stage::prelude() const {
                   const std::span<const shared::Card> scalar(scalar_panes_), rgb(rgb_panes_);
                   pass.update(cards_, scalar);
                   pass.update(cards_, rgb, scalar.size() + simulation_->cards());
+                  pass.barrier();  // other cards of the same buffer: the validation layer cannot tell
                   simulation_->record_cards(pass, view_, cards_, uint32_t(scalar_panes_.size()));
                 });
                 opaque_.record_depth(frame, targets, view_);
