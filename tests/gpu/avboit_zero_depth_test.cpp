@@ -71,7 +71,7 @@ TEST_F(AvboitZeroDepth, IsTheEndOfTheFarthestZeroSliceThatATileReads) {
     for (uint32_t& slice : zero)
       slice = random.one_in(mostly) ? shared::kNoSlice : random.below(random.one_in(50) ? 64 : 20);
     const uint32_t count = tiles.x * tiles.y;
-    const shared::ZeroDraw draw{.vertices = 6, .instances = 0, .first_vertex = 0, .first_instance = 0};
+    const shared::DrawCommand draw{.vertices = 6, .instances = 0, .first_vertex = 0, .first_instance = 0};
     const gpu::Buffer eye = upload("view", std::vector{view()}), block = upload("volume", std::vector{v}),
                       table = upload("warp", words), in = upload("zero_slice", zero),
                       arguments = upload("zero_draw", std::vector{draw}),
@@ -88,7 +88,7 @@ TEST_F(AvboitZeroDepth, IsTheEndOfTheFarthestZeroSliceThatATileReads) {
              tiles, {gpu::groups(count, 64), 1, 1});
     const auto expected = tile_depths(v, warp, zero, picture, view().near_m);
     const auto depths = gpu::read<float>(device, out);
-    const auto drawn = gpu::read<shared::ZeroDraw>(device, arguments)[0];
+    const auto drawn = gpu::read<shared::DrawCommand>(device, arguments)[0];
     const auto quads = gpu::read<shared::ZeroTile>(device, list);
     uint32_t with_one = 0;
     for (uint32_t i = 0; i < count; ++i) {

@@ -20,38 +20,15 @@ vk::Format through_format(Accumulation accumulation) {
   return accumulation == Accumulation::kFloat ? vk::Format::eR32G32B32A32Sfloat : kHdrFormat;
 }
 
-void record_half_depth(const Picture& picture, const Plan& plan) {
-  const gpu::Image& visible = picture.resources.image("half_visible");
-  const gpu::Image& opaque = picture.resources.image("half_opaque");
-  const glm::uvec2 half = (plan.size + 1u) / 2u;
-  picture.frame.pass("half_depth", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/half_depth.comp"),
-                  {{"opaque_depth", &picture.opaque_depth}, {"half_opaque", &opaque}}, half,
-                  {gpu::groups(half.x, 8), gpu::groups(half.y, 8), 1});
-    pass.draw({.vertex = "post/fullscreen.vert",
-               .fragment = "methods/avboit/half_depth.frag",
-               .targets = {},
-               .depth = &visible,
-               .depth_use = gpu::DepthUse::kTestAndWrite,
-               .clear_depth = true,
-               .area = {half.x, half.y},
-               .constants = {},
-               .bindings = {{"visible_depth", &visible_depth(picture, plan)}}},
-              0u);
-  });
-}
-
 }  // namespace
 
 void add_accumulate_needs(Needs& needs, const Plan& plan) {
   const vk::Format format = sum_format(plan.settings.accumulation);
   const vk::Format through = through_format(plan.settings.accumulation);
-  constexpr uint32_t kNowhere = 1u << 16;  // divisor: one texel
   const auto add = [&](const char* name, vk::Format of, uint32_t divisor, vk::ImageUsageFlags usage) {
     needs.images.push_back({.name = name, .format = of, .usage = usage, .divisor = divisor});
   };
   const uint32_t half = plan.settings.half_particles ? 2 : kNowhere;
-  needs.buffers.push_back({.name = "flagged", .bytes = 4, .clear = 0});
   add("light", format, 1, kTargetUsage);
   add("glow", format, 1, kTargetUsage);
   add("norm", vk::Format::eR16Sfloat, 1, kTargetUsage);
@@ -61,17 +38,22 @@ void add_accumulate_needs(Needs& needs, const Plan& plan) {
   add("norm_half", vk::Format::eR16Sfloat, half, kTargetUsage);
   add("norm_rgb_half", format, plan.coloured ? half : kNowhere, kTargetUsage);
   add("through_half", through, half, kTargetUsage);
-  add("half_visible", vk::Format::eD32Sfloat, half, vk::ImageUsageFlagBits::eDepthStencilAttachment);
-  add("half_opaque", vk::Format::eR32Sfloat, half,
-      vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled);
+}
+
+gpu::Bindings transmittance_bindings(const Picture& picture) {
+  const auto image = [&](const char* name) { return &picture.resources.image(name); };
+  const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+  return {{"VolumeBlock", buffer("volume")},  {"WarpTable", buffer("warp")},
+          {"Layers", buffer("layers")},       {"LayerTail", buffer("layer_tail")},
+          {"integral", image("integral")},    {"integral_rg", image("integral_rg")},
+          {"integral_b", image("integral_b")}};
 }
 
 void record_accumulate(const Picture& picture, const Plan& plan) {
   const auto image = [&](const std::string& name) { return &picture.resources.image(name); };
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   const Settings& s = plan.settings;
-  const Colour colour = plan.coloured ? s.colour : Colour::kMono;
-  if (s.half_particles) record_half_depth(picture, plan);
+  const Colour colour = plan.colour();
 
   const auto draw = [&](gpu::Pass& pass, uint32_t card_class) {
     const uint32_t kind = card_class / 4;
@@ -103,13 +85,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
                .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
                              tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
                              behind_layers ? 1u : 0u, exact ? 1u : 0u, lane_bits, half ? 2u : 1u},
-               .bindings = {{"VolumeBlock", buffer("volume")},
-                            {"WarpTable", buffer("warp")},
-                            {"Layers", buffer("layers")},
-                            {"LayerTail", buffer("layer_tail")},
-                            {"integral", image("integral")},
-                            {"integral_rg", image("integral_rg")},
-                            {"integral_b", image("integral_b")}},
+               .bindings = transmittance_bindings(picture),
                .order = buffer("class_order"),
                .indirect = buffer("class_draws"),
                .indirect_index = card_class,
@@ -134,31 +110,6 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
       if (behind_layers && plan.volume.exact_layers == 0 && kind != shared::kKindExact) continue;
       draw(pass, c);
     }
-  });
-  picture.frame.pass("resolve", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute(
-                      "methods/avboit/resolve.comp",
-                      {s.normalise ? 1u : 0u, uint32_t(colour), s.half_particles ? 1u : 0u,
-                       s.accumulation == Accumulation::kR11G11B10 ? 0u : 1u, s.skew_guard ? 1u : 0u}),
-                  {{"light", image("light")},
-                   {"norm", image("norm")},
-                   {"norm_rgb", image("norm_rgb")},
-                   {"through", image("through")},
-                   {"light_half", image("light_half")},
-                   {"norm_half", image("norm_half")},
-                   {"norm_rgb_half", image("norm_rgb_half")},
-                   {"through_half", image("through_half")},
-                   {"half_opaque", image("half_opaque")},
-                   {"VolumeBlock", buffer("volume")},
-                   {"WarpTable", buffer("warp")},
-                   {"Layers", buffer("layers")},
-                   {"Overlaps", buffer("overlaps")},
-                   {"Flagged", buffer("flagged")},
-                   {"opaque_depth", &picture.opaque_depth},
-                   {"glow", image("glow")},
-                   {"opaque_color", &picture.opaque_color},
-                   {"result", &picture.result}},
-                  picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
   });
 }
 

@@ -32,9 +32,9 @@ class Avboit final : public Method {
     using namespace avboit;
     const Plan plan(settings_, size, transparents);
     Needs needs;
-    for (const auto add :
-         {add_depth_warp_needs, add_occupancy_needs, add_exact_layers_needs, add_splat_needs,
-          add_integrate_needs, add_zero_depth_needs, add_classify_needs, add_accumulate_needs})
+    for (const auto add : {add_depth_warp_needs, add_occupancy_needs, add_exact_layers_needs, add_splat_needs,
+                           add_integrate_needs, add_zero_depth_needs, add_classify_needs,
+                           add_half_particles_needs, add_accumulate_needs, add_resolve_needs})
       add(needs, plan);
     return needs;
   }
@@ -61,7 +61,9 @@ class Avboit final : public Method {
   }
 
   void record(const Picture& picture) override {
+    avboit::record_half_depth(picture, *drawn_);
     avboit::record_accumulate(picture, *drawn_);
+    avboit::record_resolve(picture, *drawn_);
     avboit::record_outputs(picture, *drawn_);
   }
 

@@ -22,7 +22,7 @@ void sort_into_draws(gpu::Pass& pass, const Picture& picture, uint32_t count, co
 
 void add_classify_needs(Needs& needs, const Plan& plan) {
   const uint64_t count = std::max(plan.volume.cards, 1u),
-                 draws = shared::kClasses * sizeof(shared::ClassDraw);
+                 draws = shared::kClasses * sizeof(shared::DrawCommand);
   needs.buffers.push_back({.name = "pairs", .bytes = count * 8, .clear = {}});
   needs.buffers.push_back({.name = "sorted_pairs", .bytes = count * 8, .clear = {}});
   needs.buffers.push_back(

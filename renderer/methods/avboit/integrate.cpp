@@ -10,7 +10,7 @@ void add_integrate_needs(Needs& needs, const Plan& plan) {
     needs.images.push_back({.name = name,
                             .format = format,
                             .usage = usage,
-                            .divisor = wanted ? divisor : 1u << 16,
+                            .divisor = wanted ? divisor : kNowhere,
                             .layers = wanted ? slices : 1});
   };
   add("integral", vk::Format::eR16G16Sfloat, true);

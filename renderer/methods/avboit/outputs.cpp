@@ -3,8 +3,6 @@
 namespace plume::avboit {
 
 void record_outputs(const Picture& picture, const Plan& plan) {
-  const auto image = [&](const char* name) { return &picture.resources.image(name); };
-  const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   const auto draw = [&](const char* pass_name, const gpu::Image& output, Transparents::Style style) {
     style.targets = {
         {.image = &output, .blend = gpu::Blend::kAdd, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}};
@@ -20,10 +18,7 @@ void record_outputs(const Picture& picture, const Plan& plan) {
                        0,
                        0,
                        plan.settings.lane_bits()};
-    style.bindings = {{"VolumeBlock", buffer("volume")},  {"WarpTable", buffer("warp")},
-                      {"Layers", buffer("layers")},       {"LayerTail", buffer("layer_tail")},
-                      {"integral", image("integral")},    {"integral_rg", image("integral_rg")},
-                      {"integral_b", image("integral_b")}};
+    style.bindings = transmittance_bindings(picture);
     picture.frame.pass(pass_name, [&](gpu::Pass& pass) { picture.transparents.draw(pass, style); });
   };
   if (picture.distortion)

@@ -10,6 +10,9 @@
 
 namespace plume::avboit {
 
+/// Divisor of an image that these settings do not use: one texel, for the descriptor.
+constexpr uint32_t kNowhere = 1u << 16;
+
 struct Plan {
   Plan(const Settings& settings, glm::uvec2 size, const Transparents& transparents);
 
@@ -26,6 +29,8 @@ struct Plan {
   bool watches_overlap() const {
     return coloured && (settings.colour == Colour::kSkew || settings.colour == Colour::kFirstEvent);
   }
+  /// How transmission is treated where there may be nothing that has a colour.
+  Colour colour() const { return coloured ? settings.colour : Colour::kMono; }
   bool raster() const { return settings.splat == Splat::kRaster; }
   bool rgb_raster() const { return rgb && settings.rgb_splat == RgbSplat::kRaster; }
   /// Words of RGB extinction a slice in the buffer.
@@ -70,8 +75,19 @@ void record_sources(const Picture& picture, const Plan& plan);
 /// classify: cards sorted by what drawing them has to do.
 void record_classify(const Picture& picture, const Plan& plan);
 
+void add_half_particles_needs(Needs& needs, const Plan& plan);
+/// half_depth: depths for the particles that are drawn at half resolution.
+void record_half_depth(const Picture& picture, const Plan& plan);
+
+/// What methods/avboit/transmittance.glsl reads.
+gpu::Bindings transmittance_bindings(const Picture& picture);
+
+void add_resolve_needs(Needs& needs, const Plan& plan);
+/// resolve: the final image from the sums.
+void record_resolve(const Picture& picture, const Plan& plan);
+
 void add_accumulate_needs(Needs& needs, const Plan& plan);
-/// draw, resolve: every fragment weighted by its transmittance, and the final image.
+/// draw: every fragment weighted by its transmittance.
 void record_accumulate(const Picture& picture, const Plan& plan);
 
 /// distortion, surface: where the picture wants them, weighted by the same transmittance.

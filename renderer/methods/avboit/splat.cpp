@@ -35,7 +35,7 @@ void add_splat_needs(Needs& needs, const Plan& plan) {
     needs.images.push_back({.name = name,
                             .format = format,
                             .usage = kTargetUsage,
-                            .divisor = wanted ? plan.volume.divisor : 1u << 16,
+                            .divisor = wanted ? plan.volume.divisor : kNowhere,
                             .layers = wanted ? plan.volume.slices : 1});
   };
   add_layers("extinction_layers", vk::Format::eR8Unorm, plan.raster());

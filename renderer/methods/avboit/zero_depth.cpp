@@ -18,7 +18,7 @@ void add_zero_depth_needs(Needs& needs, const Plan& plan) {
       {.name = "visible_depth",
        .format = vk::Format::eD32Sfloat,
        .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled});
-  needs.buffers.push_back({.name = "zero_draw", .bytes = sizeof(shared::ZeroDraw), .clear = {}});
+  needs.buffers.push_back({.name = "zero_draw", .bytes = sizeof(shared::DrawCommand), .clear = {}});
   needs.buffers.push_back({.name = "zero_tiles", .bytes = count * sizeof(shared::ZeroTile), .clear = {}});
   needs.buffers.push_back({.name = "zero_depths", .bytes = count * 4, .clear = {}});
 }
@@ -34,7 +34,7 @@ void record_zero_depth(const Picture& picture, const Plan& plan) {
   const glm::uvec2 tiles = tiles_of(plan.size);
   picture.frame.pass("zero_tiles", [&](gpu::Pass& pass) {
     pass.update(*buffer("zero_draw"),
-                shared::ZeroDraw{.vertices = 4, .instances = 0, .first_vertex = 0, .first_instance = 0});
+                shared::DrawCommand{.vertices = 4, .instances = 0, .first_vertex = 0, .first_instance = 0});
     pass.copy(picture.opaque_depth, visible_depth(picture, plan));
     pass.barrier();
     pass.dispatch(pass.pipelines().compute("methods/avboit/zero_depth.comp"),

@@ -2,7 +2,7 @@
 #ifndef PLUME_AVBOIT_CARD_CLASS_H
 #define PLUME_AVBOIT_CARD_CLASS_H
 
-#include "shared/types.h"
+#include "shared/draw_command.h"
 
 PLUME_SHARED_BEGIN
 
@@ -21,13 +21,6 @@ const uint kKindRgb = 2u;      // passes some colours better than others
 const uint kKindExact = 3u;    // is in the exact layers, or shines without covering
 const uint kBehindRgb = 1u;
 const uint kBehindLayers = 2u;  // always so for kKindExact
-
-struct ClassDraw {  // VkDrawIndirectCommand
-  uint vertices;
-  uint instances;
-  uint first_vertex;
-  uint first_instance;
-};
 
 PLUME_SHARED_END
 #endif

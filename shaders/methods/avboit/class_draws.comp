@@ -7,7 +7,7 @@ layout(local_size_x = 256) in;
 layout(scalar, binding = 0) readonly buffer Pairs { uvec2 pairs[]; };
 layout(scalar, binding = 1) writeonly buffer Order { uint order[]; };
 layout(scalar, binding = 2) readonly buffer Counts { uint counts[]; };   // [digit][tile], scanned
-layout(scalar, binding = 3) writeonly buffer ClassDraws { ClassDraw class_draws[]; };
+layout(scalar, binding = 3) writeonly buffer ClassDraws { DrawCommand class_draws[]; };
 layout(push_constant) uniform Push {
   uint count;
   uint sort_tiles;
@@ -18,6 +18,6 @@ void main() {
   if (i < count) order[i] = pairs[i].y;
   if (i < kClasses) {
     const uint first = counts[i * sort_tiles];
-    class_draws[i] = ClassDraw(4u, (i + 1u < kClasses ? counts[(i + 1u) * sort_tiles] : count) - first, 0u, first);
+    class_draws[i] = DrawCommand(4u, (i + 1u < kClasses ? counts[(i + 1u) * sort_tiles] : count) - first, 0u, first);
   }
 }

@@ -9,7 +9,7 @@
 layout(local_size_x = 64) in;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 10) readonly buffer ZeroSlice { uint zero_slice[]; };
-layout(scalar, binding = 11) buffer ZeroArguments { ZeroDraw arguments; };
+layout(scalar, binding = 11) buffer ZeroArguments { DrawCommand arguments; };
 layout(scalar, binding = 12) writeonly buffer ZeroTiles { ZeroTile zero_tiles[]; };
 layout(scalar, binding = 13) buffer ZeroDepths { float zero_depths[]; };   // reversed, a tile; 0: none
 layout(push_constant) uniform Push { uvec2 tiles; };

@@ -2,7 +2,7 @@
 #ifndef PLUME_AVBOIT_ZERO_TILE_H
 #define PLUME_AVBOIT_ZERO_TILE_H
 
-#include "shared/types.h"
+#include "shared/draw_command.h"
 
 PLUME_SHARED_BEGIN
 
@@ -12,13 +12,6 @@ const uint kZeroTilePixels =
 struct ZeroTile {
   uvec2 tile;
   float depth;  // reversed: near_m / view depth
-};
-
-struct ZeroDraw {  // VkDrawIndirectCommand
-  uint vertices;
-  uint instances;
-  uint first_vertex;
-  uint first_instance;
 };
 
 PLUME_SHARED_END
