@@ -45,6 +45,12 @@ constexpr FeatureName<vk::PhysicalDeviceFeatures> kOptionalCoreFeatures[] = {
 constexpr FeatureName<vk::PhysicalDeviceVulkan12Features> kOptionalVulkan12Features[] = {
     PLUME_FEATURE(PhysicalDeviceVulkan12Features, shaderBufferInt64Atomics),
 };
+constexpr FeatureName<vk::PhysicalDeviceShaderAtomicFloatFeaturesEXT> kFloatAtomicFeatures[] = {
+    PLUME_FEATURE(PhysicalDeviceShaderAtomicFloatFeaturesEXT, shaderBufferFloat32AtomicAdd),
+};
+constexpr FeatureName<vk::PhysicalDeviceFragmentShaderInterlockFeaturesEXT> kInterlockFeatures[] = {
+    PLUME_FEATURE(PhysicalDeviceFragmentShaderInterlockFeaturesEXT, fragmentShaderPixelInterlock),
+};
 constexpr FeatureName<vk::PhysicalDeviceVulkan13Features> kVulkan13Features[] = {
     PLUME_FEATURE(PhysicalDeviceVulkan13Features, dynamicRendering),
     PLUME_FEATURE(PhysicalDeviceVulkan13Features, synchronization2),
@@ -61,8 +67,19 @@ void request(const FeatureName<Features> (&table)[N], const Features& offered, c
   for (const auto& feature : table) {
     if (!(offered.*feature.member) || fault == fmt::format("missing@{}", feature.name))
       missing.push_back(fmt::format("feature {}", feature.name));
-    wanted.*feature.member = VK_TRUE;
+    else
+      wanted.*feature.member = VK_TRUE;
   }
+}
+
+/// The same for what an extension brings, all of it or nothing: whether the device has it.
+template <class Features, size_t N>
+bool request_extension(const vk::raii::PhysicalDevice& physical, const std::string& fault,
+                       const FeatureName<Features> (&table)[N], Features& wanted) {
+  const auto offered = physical.getFeatures2<vk::PhysicalDeviceFeatures2, Features>();
+  std::vector<std::string> without;
+  request(table, offered.template get<Features>(), fault, wanted, without);
+  return without.empty();
 }
 
 std::string version_text(uint32_t version) {
@@ -217,20 +234,34 @@ void Device::create_device() {
   request(kVulkan13Features, offered.get<vk::PhysicalDeviceVulkan13Features>(), options_.fault, features13,
           missing);
 
+  std::vector<const char*> extensions = options_.device_extensions;
+  extensions.insert(extensions.end(), std::begin(kExtensions), std::end(kExtensions));
+  const auto offered_extensions = physical_.enumerateDeviceExtensionProperties();
+  const auto is_offered = [&](std::string_view name) {
+    return std::ranges::any_of(offered_extensions,
+                               [&](const auto& e) { return std::string_view(e.extensionName) == name; });
+  };
+  for (const char* wanted : extensions)
+    if (!is_offered(wanted)) missing.push_back(fmt::format("extension {}", wanted));
+
   std::vector<std::string> without;
   request(kOptionalCoreFeatures, offered.get<vk::PhysicalDeviceFeatures2>().features, options_.fault,
           features.features, without);
   request(kOptionalVulkan12Features, offered.get<vk::PhysicalDeviceVulkan12Features>(), options_.fault,
           features12, without);
   has_int64_atomics_ = without.empty();
-
-  std::vector<const char*> extensions = options_.device_extensions;
-  extensions.insert(extensions.end(), std::begin(kExtensions), std::end(kExtensions));
-  const auto offered_extensions = physical_.enumerateDeviceExtensionProperties();
-  for (const char* wanted : extensions)
-    if (std::none_of(offered_extensions.begin(), offered_extensions.end(),
-                     [&](const auto& e) { return std::string_view(e.extensionName) == wanted; }))
-      missing.push_back(fmt::format("extension {}", wanted));
+  vk::PhysicalDeviceShaderAtomicFloatFeaturesEXT float_atomics;
+  vk::PhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock;
+  const auto with_extension = [&](const char* extension, const auto& table, auto& wanted) {
+    if (!is_offered(extension) || !request_extension(physical_, options_.fault, table, wanted)) return false;
+    extensions.push_back(extension);
+    wanted.pNext = std::exchange(features13.pNext, &wanted);
+    return true;
+  };
+  has_float_atomics_ =
+      with_extension(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME, kFloatAtomicFeatures, float_atomics);
+  has_fragment_interlock_ =
+      with_extension(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, kInterlockFeatures, interlock);
 
   const auto at_least = [&](const char* name, uint64_t value, uint64_t needed) {
     if (value < needed) missing.push_back(fmt::format("limit {} of {} (it has {})", name, needed, value));

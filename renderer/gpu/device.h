@@ -68,6 +68,10 @@ class Device {
   bool has_debug_labels() const { return has_debug_utils_; }
   /// shaderInt64 and shaderBufferInt64Atomics.
   bool has_int64_atomics() const { return has_int64_atomics_; }
+  /// shaderBufferFloat32AtomicAdd.
+  bool has_float_atomics() const { return has_float_atomics_; }
+  /// fragmentShaderPixelInterlock.
+  bool has_fragment_interlock() const { return has_fragment_interlock_; }
 
  private:
   void create_instance();
@@ -95,7 +99,7 @@ class Device {
   std::string last_pass_ = "none";
   vk::PhysicalDeviceLimits limits_;
   bool has_debug_utils_ = false;
-  bool has_int64_atomics_ = false;
+  bool has_int64_atomics_ = false, has_float_atomics_ = false, has_fragment_interlock_ = false;
 };
 
 /// The devices of this machine in the order of their indices; empty when there is no Vulkan driver.

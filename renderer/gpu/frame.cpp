@@ -79,6 +79,9 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
                     .targets = {},
                     .depth = draw.depth_use,
                     .strip = draw.strip,
+                    .samples = !draw.targets.empty() ? draw.targets.front().image->samples()
+                               : draw.depth          ? draw.depth->samples()
+                                                     : 1,
                     .constants = draw.constants};
   std::vector<vk::RenderingAttachmentInfo> colors;
   for (const Attachment& target : draw.targets) {

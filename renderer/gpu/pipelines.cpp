@@ -99,8 +99,8 @@ const Pipeline& Pipelines::compute(const std::string& shader, const Constants& c
 }
 
 const Pipeline& Pipelines::graphics(const GraphicsDesc& desc) {
-  std::string key = fmt::format("{} {} {} {} {}", desc.vertex, desc.fragment, int(desc.depth),
-                                int(desc.strip), fmt::join(desc.constants, ","));
+  std::string key = fmt::format("{} {} {} {} {} {}", desc.vertex, desc.fragment, int(desc.depth),
+                                int(desc.strip), desc.samples, fmt::join(desc.constants, ","));
   for (const Target& target : desc.targets)
     key += fmt::format(" {}:{}", int(target.format), int(target.blend));
   return find_or_make(std::move(key), [this, desc] { return make_graphics(desc); });
@@ -183,7 +183,7 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
   const vk::PipelineRasterizationStateCreateInfo raster{.cullMode = vk::CullModeFlagBits::eNone,
                                                         .lineWidth = 1.0f};
   const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples =
-                                                               vk::SampleCountFlagBits::e1};
+                                                               vk::SampleCountFlagBits(desc.samples)};
   const vk::PipelineDepthStencilStateCreateInfo depth{
       .depthTestEnable = desc.depth != DepthUse::kNone,
       .depthWriteEnable = desc.depth == DepthUse::kTestAndWrite,

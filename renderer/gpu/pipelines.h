@@ -42,6 +42,7 @@ struct GraphicsDesc {
   std::vector<Target> targets;
   DepthUse depth = DepthUse::kNone;  ///< reversed: nearer is greater; D32
   bool strip = false;                ///< triangle strips, one an instance; otherwise lists
+  uint32_t samples = 1;              ///< of all targets and the depth
   Constants constants;
 };
 

@@ -61,7 +61,7 @@ Buffer make_buffer(Device& device, std::string owner, std::string label, std::sp
 }
 
 Image::Image(Device& device, const ImageDesc& desc)
-    : format_(desc.format), extent_(desc.extent), layers_(std::max(desc.layers, 1u)) {
+    : format_(desc.format), extent_(desc.extent), layers_(std::max(desc.layers, 1u)), samples_(desc.samples) {
   const bool volume = desc.extent.depth > 1;
   image_ = device.vk().createImage(
       {.imageType = volume ? vk::ImageType::e3D : vk::ImageType::e2D,
@@ -69,7 +69,7 @@ Image::Image(Device& device, const ImageDesc& desc)
        .extent = desc.extent,
        .mipLevels = 1,
        .arrayLayers = layers_,
-       .samples = vk::SampleCountFlagBits::e1,
+       .samples = vk::SampleCountFlagBits(desc.samples),
        .tiling = vk::ImageTiling::eOptimal,
        .usage = desc.usage | vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst});
   allocation_ = allocate(device, image_.getMemoryRequirements(), false, false, desc.owner, desc.label);

@@ -54,6 +54,7 @@ struct ImageDesc {
   vk::Format format = vk::Format::eUndefined;
   vk::Extent3D extent{1, 1, 1};  ///< depth > 1 makes a 3-D image
   uint32_t layers = 0;           ///< 0: a plain 2-D image; otherwise an array of so many layers
+  uint32_t samples = 1;          ///< a pixel: 1 or 4
   vk::ImageUsageFlags usage;     ///< transfer in both directions is always added
 };
 
@@ -68,6 +69,7 @@ class Image {
   vk::Format format() const { return format_; }
   vk::Extent3D extent() const { return extent_; }
   uint32_t layers() const { return layers_; }
+  uint32_t samples() const { return samples_; }
   vk::ImageAspectFlags aspect() const;
   explicit operator bool() const { return extent_.width != 0; }
 
@@ -77,7 +79,7 @@ class Image {
   vk::raii::ImageView view_{nullptr};
   vk::Format format_ = vk::Format::eUndefined;
   vk::Extent3D extent_{0, 0, 0};
-  uint32_t layers_ = 1;
+  uint32_t layers_ = 1, samples_ = 1;
 };
 
 /// Copies a whole buffer, or the first level and layer of an image, to the host. Waits for the device.

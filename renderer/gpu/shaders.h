@@ -12,7 +12,7 @@
 namespace plume::gpu {
 
 struct EmbeddedShader {
-  const char* name;  ///< path below shaders/, such as "methods/wboit.frag"
+  const char* name;  ///< path below shaders/, such as "methods/wboit/draw.frag"
   const uint32_t* words;
   size_t count;
 };

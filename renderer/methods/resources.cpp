@@ -9,13 +9,15 @@ void Resources::fit(gpu::Device& device, const std::string& owner, const Needs& 
                               (size.y + need.divisor - 1) / need.divisor, need.depth};
     auto old = images_.find(need.name);
     const bool fits = old != images_.end() && old->second.format() == need.format &&
-                      old->second.extent() == extent && old->second.layers() == std::max(need.layers, 1u);
+                      old->second.extent() == extent && old->second.layers() == std::max(need.layers, 1u) &&
+                      old->second.samples() == need.samples;
     images[need.name] = fits ? std::move(old->second)
                              : gpu::Image(device, {.owner = owner,
                                                    .label = need.name,
                                                    .format = need.format,
                                                    .extent = extent,
                                                    .layers = need.layers,
+                                                   .samples = need.samples,
                                                    .usage = need.usage});
   }
   std::map<std::string, gpu::Buffer> buffers;
