@@ -72,7 +72,8 @@ Targets::Targets(gpu::Device& device, glm::uvec2 picture_size, const Post& wante
 }
 
 FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const Targets& targets,
-                         const Prelude& prelude, const Transparents& transparents, MethodInstance& instance) {
+                         const Prelude& prelude, const Transparents& transparents, MethodInstance& instance,
+                         const Probe* probe) {
   FrameReport report;
   const Outputs wanted = wanted_now(targets, transparents), writes = instance.method->outputs();
   const Outputs written{.distortion = wanted.distortion && writes.distortion,
@@ -99,6 +100,7 @@ FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const T
     clear_declared_buffers(frame, needs, instance.resources);
     prelude.opaque(frame, targets, method.prepare(picture));
     method.record(picture);
+    if (probe) method.probe(picture, *probe);
     chain.record(frame, *transparents.view);
     show(frame, targets, *transparents.view);
     report.passes = frame.finish();

@@ -3,7 +3,7 @@
 #ifndef PLUME_RENDERER_FRAME_H
 #define PLUME_RENDERER_FRAME_H
 
-#include "renderer/methods/method.h"
+#include "renderer/probe.h"
 
 namespace plume {
 
@@ -58,9 +58,10 @@ struct FrameReport {
   std::vector<std::string> left_out;  ///< outputs that the picture wants and the method does not write
 };
 
-/// Draws one frame and waits for it.
+/// Draws one frame and waits for it; with a probe, lets the method answer it.
 FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const Targets& targets,
-                         const Prelude& prelude, const Transparents& transparents, MethodInstance& instance);
+                         const Prelude& prelude, const Transparents& transparents, MethodInstance& instance,
+                         const Probe* probe = nullptr);
 
 }  // namespace plume
 #endif

@@ -25,6 +25,7 @@ struct ImageNeed {
   uint32_t divisor = 1;  ///< of the picture's size, rounded up
   uint32_t depth = 1;    ///< slices of a 3-D image
   uint32_t layers = 0;   ///< of an array; 0: a plain image
+  uint32_t samples = 1;  ///< a pixel: 1 or 4
 };
 struct BufferNeed {
   std::string name;
@@ -83,6 +84,8 @@ struct Picture {
   gpu::Area area() const { return {size.x, size.y}; }
 };
 
+struct Probe;
+
 /// What a reader of the method list wants to know before any picture.
 struct Traits {
   std::string_view title;
@@ -90,6 +93,11 @@ struct Traits {
   std::string_view transmission;  ///< how coloured transmission is treated
   std::string_view emission;      ///< how emission without coverage is treated
   std::string_view limits;        ///< its known failure
+  /// Equal to the reference within 1e-3 of the picture's brightest light wherever nothing overflows.
+  bool exact = false;
+  /// RMSE against the reference, linear light, that its default parameters stay below on the shipped scene
+  /// street at its default tick, 320x180. Held by a test.
+  double street_rmse = 0.0;
 };
 
 class Method {
@@ -111,6 +119,9 @@ class Method {
   /// Records what can be done before opaque things are shaded; gives the depth that hides some of them.
   virtual const gpu::Image& prepare(const Picture& picture) { return picture.opaque_depth; }
   virtual void record(const Picture& picture) = 0;
+  /// After record(), in the same frame: answers what it believes of one pixel, with the functions and the
+  /// resources that the picture was drawn with. See renderer/probe.h.
+  virtual void probe(const Picture& picture, const Probe& probe) const = 0;
   /// What the last frame tells of itself beyond its passes, name -> number; for reports. May wait for the
   /// device.
   virtual nlohmann::json statistics(gpu::Device&, const Resources&) const { return nlohmann::json::object(); }

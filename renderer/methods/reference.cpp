@@ -1,18 +1,12 @@
 // The exact reference: every fragment captured per pixel in a linked list (Yang et al., EGSR 2010), sorted by
 // (depth, card), composited in 32-bit float. It never truncates: a pool that is too small is grown and the
 // frame drawn again.
-#include "shaders/methods/reference.h"
-
-#include <cstddef>
-
+#include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
+#include "renderer/probe.h"
 
 namespace plume {
 namespace {
-
-glm::uvec2 address_of(const gpu::Buffer& buffer) {
-  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
-}
 
 class Reference final : public Method {
  public:
@@ -22,15 +16,14 @@ class Reference final : public Method {
             .source = "per-pixel linked lists, Yang et al. 2010; sorted by (depth, card), 32-bit composite",
             .transmission = "RGB, exact",
             .emission = "exact",
-            .limits = "memory grows with the number of fragments; slow"};
+            .limits = "memory grows with the number of fragments; slow",
+            .exact = true};
   }
 
   Needs needs(glm::uvec2 size, const Transparents&) const override {
-    return {.images = {},
-            .buffers = {
-                {.name = "heads", .bytes = uint64_t(size.x) * size.y * 4, .clear = shared::kListEnd},
-                {.name = "pool", .bytes = sizeof(shared::FragmentPool), .clear = 0},
-                {.name = "nodes", .bytes = uint64_t(capacity_) * sizeof(shared::FragmentNode), .clear = {}}}};
+    Needs needs;
+    fragment_list::add_needs(needs, size, capacity_);
+    return needs;
   }
 
   Outputs outputs() const override { return {.distortion = true, .surface = true}; }
@@ -41,30 +34,24 @@ class Reference final : public Method {
   }
 
   void record(const Picture& picture) override {
-    const gpu::Buffer& pool = picture.resources.buffer("pool");
-    const gpu::Buffer& heads = picture.resources.buffer("heads");
+    const Resources& resources = picture.resources;
     const bool outputs = picture.distortion || picture.surface;
     const auto capture = [&](gpu::Pass& pass, Transparents::Style style) {
       style.depth_test = style.opaque_depth = &picture.opaque_depth;
       style.area = picture.area();
-      style.bindings = {{"Pool", &pool}, {"Heads", &heads}};
+      style.bindings = fragment_list::bindings(resources);
       picture.transparents.draw(pass, style);
     };
 
     picture.frame.pass("capture", [&](gpu::Pass& pass) {
-      pass.update(pool,
-                  shared::FragmentPool{
-                      .count = 0,
-                      .capacity = capacity_,
-                      .address = address_of(picture.resources.buffer("nodes")),
-                      .extras = outputs ? address_of(picture.resources.buffer("extras")) : glm::uvec2(0)});
+      fragment_list::reset(pass, resources, capacity_, outputs ? &resources.buffer("extras") : nullptr);
       pass.barrier();
-      capture(pass, {.fragment = "methods/reference_capture.frag",
+      capture(pass, {.fragment = "methods/reference/capture.frag",
                      .targets = {},
                      .constants = {outputs ? 1u : 0u},
                      .bindings = {}});
       if (picture.distortion)
-        capture(pass, {.fragment = "methods/reference_haze.frag",
+        capture(pass, {.fragment = "methods/reference/haze.frag",
                        .targets = {},
                        .vertex = "surface/haze.vert",
                        .source = Source::kHaze,
@@ -73,9 +60,9 @@ class Reference final : public Method {
     });
     const std::array<uint32_t, 3> squares{gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1};
     picture.frame.pass("composite", [&](gpu::Pass& pass) {
-      pass.dispatch(pass.pipelines().compute("methods/reference_composite.comp"),
-                    {{"Pool", &pool},
-                     {"Heads", &heads},
+      pass.dispatch(pass.pipelines().compute("methods/reference/composite.comp"),
+                    {{"Pool", &resources.buffer("pool")},
+                     {"Heads", &resources.buffer("heads")},
                      {"opaque_color", &picture.opaque_color},
                      {"result", &picture.result}},
                     picture.size, squares);
@@ -84,20 +71,25 @@ class Reference final : public Method {
     const Transparents& transparents = picture.transparents;
     const uint32_t haze_first = transparents.first(Source::kHaze);
     picture.frame.pass("outputs", [&](gpu::Pass& pass) {
-      pass.dispatch(pass.pipelines().compute("methods/reference_outputs.comp",
+      pass.dispatch(pass.pipelines().compute("methods/reference/outputs.comp",
                                              {picture.distortion ? 1u : 0u, picture.surface ? 1u : 0u}),
                     {{"View", transparents.view},
                      {"Cards", transparents.cards},
-                     {"Pool", &pool},
-                     {"Heads", &heads},
+                     {"Pool", &resources.buffer("pool")},
+                     {"Heads", &resources.buffer("heads")},
                      {"distortion", picture.distortion ? picture.distortion : picture.surface},
                      {"surface", picture.surface ? picture.surface : picture.distortion}},
                     glm::uvec2(haze_first, haze_first + transparents.number(Source::kHaze)), squares);
     });
   }
 
+  void probe(const Picture& picture, const Probe& probe) const override {
+    probe_with(picture, probe, "methods/fragment_list/probe.comp", {},
+               fragment_list::bindings(picture.resources));
+  }
+
   bool must_redraw(gpu::Device& device, const Resources& resources) override {
-    const auto pool = gpu::read<shared::FragmentPool>(device, resources.buffer("pool"))[0];
+    const shared::FragmentPool pool = fragment_list::pool(device, resources);
     if (pool.count <= pool.capacity) return false;
     capacity_ = pool.count + pool.count / 8;  // room for the next frame of a growing effect
     return true;

@@ -1,6 +1,7 @@
 // Alpha blending in sorted order ("No OIT"): the GPU sorts all cards by the depth of their centres, then they
 // are blended back to front. The sort is part of the cost and its own pass.
 #include "renderer/methods/methods.h"
+#include "renderer/probe.h"
 #include "renderer/radix_sort.h"
 
 namespace plume {
@@ -15,7 +16,8 @@ class Sorted final : public Method {
             .transmission = "RGB, by dual-source blending",
             .emission = "exact",
             .limits =
-                "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer"};
+                "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer",
+            .street_rmse = 0.002};
   }
 
   Needs needs(glm::uvec2, const Transparents& transparents) const override {
@@ -37,12 +39,12 @@ class Sorted final : public Method {
 
     picture.frame.pass("sort", [&](gpu::Pass& pass) {
       if (count == 0) return;
-      pass.dispatch(pass.pipelines().compute("methods/sort_keys.comp"),
+      pass.dispatch(pass.pipelines().compute("methods/sorted/keys.comp"),
                     {{"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}},
                     count, {gpu::groups(count, 256), 1, 1});
       pass.barrier();
       radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
-      pass.dispatch(pass.pipelines().compute("methods/sorted_order.comp"),
+      pass.dispatch(pass.pipelines().compute("methods/sorted/order.comp"),
                     {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count,
                     {gpu::groups(count, 256), 1, 1});
     });
@@ -60,21 +62,25 @@ class Sorted final : public Method {
     };
     picture.frame.pass("copy", [&](gpu::Pass& pass) { pass.copy(picture.opaque_color, picture.result); });
     draw("draw", picture.result,
-         {.fragment = "methods/sorted.frag",
+         {.fragment = "methods/sorted/draw.frag",
           .targets = {},
           .constants = {},
           .bindings = {},
           .count_fragments = true});
     if (picture.distortion)
       draw("distortion", *picture.distortion,
-           {.fragment = "methods/sorted_distortion.frag",
+           {.fragment = "methods/sorted/distortion.frag",
             .targets = {},
             .vertex = "surface/haze.vert",
             .constants = {},
             .bindings = {}});
     if (picture.surface)
       draw("surface", *picture.surface,
-           {.fragment = "methods/sorted_surface.frag", .targets = {}, .constants = {}, .bindings = {}});
+           {.fragment = "methods/sorted/surface.frag", .targets = {}, .constants = {}, .bindings = {}});
+  }
+
+  void probe(const Picture& picture, const Probe& probe) const override {
+    probe_by_drawing(picture, probe, InFront::kByCenter);
   }
 };
 

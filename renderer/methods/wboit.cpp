@@ -1,8 +1,10 @@
 // Weighted, blended order-independent transparency. McGuire and Bavoil, JCGT 2(2), 2013; see
-// shaders/methods/wboit.frag.
+// shaders/methods/wboit/draw.frag.
 #include <bit>
 
 #include "renderer/methods/methods.h"
+#include "renderer/methods/weighted.h"
+#include "renderer/probe.h"
 
 namespace plume {
 namespace {
@@ -19,7 +21,8 @@ class Wboit final : public Method {
             "McGuire and Bavoil, JCGT 2(2) 2013, equations 7 to 10; McGuire's blog 2013; LearnOpenGL 2020",
         .transmission = "the mean of RGB",
         .emission = "in the weighted average where covered; added unattenuated where not",
-        .limits = "the weight must be tuned to the scene's depths; near-opaque surfaces bleed"};
+        .limits = "the weight must be tuned to the scene's depths; near-opaque surfaces bleed",
+        .street_rmse = 0.25};
   }
 
   void visit(ParameterVisitor& visitor) override {
@@ -33,41 +36,33 @@ class Wboit final : public Method {
   }
 
   Needs needs(glm::uvec2, const Transparents&) const override {
-    return {
-        .images = {{.name = "accum", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage},
-                   {.name = "revealage", .format = vk::Format::eR16Sfloat, .usage = kTargetUsage},
-                   {.name = "emission", .format = vk::Format::eR16G16B16A16Sfloat, .usage = kTargetUsage}},
-        .buffers = {}};
+    Needs needs;
+    Weighted{}.add_needs(needs);
+    return needs;
   }
 
   void record(const Picture& picture) override {
-    const auto image = [&](const char* name) { return &picture.resources.image(name); };
-    constexpr std::array<float, 4> kZero{0, 0, 0, 0}, kOne{1, 1, 1, 1};
-
     picture.frame.pass("draw", [&](gpu::Pass& pass) {
-      picture.transparents.draw(
-          pass, {.fragment = "methods/wboit.frag",
-                 .targets = {{.image = image("accum"), .blend = gpu::Blend::kAdd, .clear = kZero},
-                             {.image = image("revealage"), .blend = gpu::Blend::kMultiply, .clear = kOne},
-                             {.image = image("emission"), .blend = gpu::Blend::kAdd, .clear = kZero}},
-                 .depth_test = &picture.opaque_depth,
-                 .opaque_depth = &picture.opaque_depth,
-                 .area = picture.area(),
-                 .constants = {uint32_t(weight_), std::bit_cast<uint32_t>(depth_scale_)},
-                 .bindings = {}});
+      picture.transparents.draw(pass, {.fragment = "methods/wboit/draw.frag",
+                                       .targets = Weighted{}.targets(picture.resources),
+                                       .depth_test = &picture.opaque_depth,
+                                       .opaque_depth = &picture.opaque_depth,
+                                       .area = picture.area(),
+                                       .constants = constants(),
+                                       .bindings = {}});
     });
-    picture.frame.pass("resolve", [&](gpu::Pass& pass) {
-      pass.dispatch(pass.pipelines().compute("methods/wboit_resolve.comp"),
-                    {{"accum", image("accum")},
-                     {"revealage", image("revealage")},
-                     {"emission", image("emission")},
-                     {"opaque_color", &picture.opaque_color},
-                     {"result", &picture.result}},
-                    picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
-    });
+    Weighted{}.record_resolve(picture);
+  }
+
+  void probe(const Picture& picture, const Probe& probe) const override {
+    const Resources& resources = picture.resources;
+    probe_with(picture, probe, "methods/wboit/probe.comp", constants(),
+               {{"accum", &resources.image("accum")}, {"through", &resources.image("through")}});
   }
 
  private:
+  gpu::Constants constants() const { return {uint32_t(weight_), std::bit_cast<uint32_t>(depth_scale_)}; }
+
   int weight_ = 0;
   float depth_scale_ = 1.0f;
 };

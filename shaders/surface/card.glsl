@@ -17,6 +17,8 @@ layout(location = 4) flat out vec4 v_transmission;   // rgb, a: unused
 layout(location = 5) flat out vec3 v_light;
 layout(location = 6) flat out uvec3 v_layers_id;     // two layers, card index
 
+#include "surface/card_varyings.glsl"
+
 layout(push_constant, scalar) uniform Push {
   uint order_first;
   int order_step;   // -1: draw backwards
@@ -40,13 +42,7 @@ void place_card(Card card, uint id, bool drawn) {
   gl_Position = view.view_projection * vec4(world, 1.0);
   gl_Position.xy = (gl_Position.xy + gl_Position.w) * covered - gl_Position.w;
   v_uv_depth = vec3(uv, dot(world - view.camera, view.forward));
-  v_sunlit = unpack_half4(card.sunlit);
-  v_ambient = vec4(unpack_half4(card.ambient).rgb, card.optical_depth);
-  v_emission = vec4(unpack_half4(card.emission).rgb, card.inv_feather);
-  v_transmission = unpack_half4(card.transmission);
-  v_light = unpack_half4(card.light).xyz;
-  const uint layer_mask = (1u << kLayerBits) - 1u;
-  v_layers_id = uvec3(card.layers & layer_mask, (card.layers >> kLayerBits) & layer_mask, id);
+  set_varyings(card, id);
 }
 
 // Of what can be seen.

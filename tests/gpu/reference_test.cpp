@@ -1,5 +1,5 @@
 // The exact reference against the same fragments composited on the CPU in double precision.
-#include "shaders/methods/reference.h"
+#include "shaders/methods/fragment_list/fragment_list.h"
 
 #include <algorithm>
 #include <glm/gtc/packing.hpp>

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <random>
 
+#include "sandbox/measure/metrics.h"
 #include "tests/gpu/gpu_test.h"
 
 namespace plume {
@@ -140,6 +141,57 @@ TEST_P(MethodProperties, ATinyPictureIsDrawn) {
   scene.panes = {card(0, 0.5f, {1, 1, 1})};
   expect_everywhere(draw_scene(scene, {1, 1}), glm::vec3(0.5) + scene.light.horizon * 0.5f,
                     3 * kHalfRounding);
+}
+
+float brightest(const Image& image) {
+  float most = 0.0f;
+  for (const glm::vec3& pixel : image.pixels) most = std::max({most, pixel.r, pixel.g, pixel.b});
+  return most;
+}
+
+TEST_P(MethodProperties, TheErrorOnTheStreetStaysBelowTheStatedBound) {
+  Stage stage(device, pipelines, library, library.scene("street"));
+  const uint32_t tick = stage.scene().default_tick;
+  const Image exact = draw(stage, tick, {320, 180}, "reference").linear;
+  const Image drawn = draw(stage, tick, {320, 180}, GetParam()).linear;
+  const Traits traits = make_method(GetParam())->traits();
+  if (traits.exact)
+    EXPECT_LT(max_abs(exact, drawn).value, 1e-3 * brightest(exact));
+  else
+    EXPECT_LT(rmse(exact, drawn), traits.street_rmse);
+}
+
+// The middle of a slab of smoke is where a graph of transmittance matters. What a method tells there must be
+// what it does to light that starts there.
+TEST_P(MethodProperties, TheProbeTellsWhatLightReceives) {
+  const Traits traits = make_method(GetParam())->traits();
+  if (traits.emission.find("unattenuated") != std::string_view::npos)
+    GTEST_SKIP() << "emission without coverage is not attenuated: there is nothing to compare with";
+  Scene scene = room();
+  for (int i = 0; i < 6; ++i) scene.panes.push_back(card(-float(i), 0.1f + 0.05f * float(i), glm::vec3(0.5)));
+  scene.panes[3].transmission = {0.7, 0.5, 0.1};
+  const std::vector<float> depths{4.0f, 5.5f, 6.5f, 7.5f, 8.5f, 9.5f, 12.0f};
+  const glm::uvec2 pixel{33, 17};
+
+  const auto probe_of = [&](const Scene& probed, const Probe* probe) {
+    Stage stage(device, pipelines, library, probed);
+    const Targets targets(device, kSize);
+    stage.go_to(0, kSize);
+    MethodInstance method = instance(GetParam());
+    render_frame(device, pipelines, targets, stage.prelude(), stage.transparents(), method, probe);
+    return read_picture(device, targets).linear.pixels[pixel.y * kSize.x + pixel.x];
+  };
+  for (const float depth : depths) {
+    Scene lit = scene;
+    lit.panes.push_back(card(5.0f - depth, 0.0f, glm::vec3(0)));
+    const glm::vec3 dark = probe_of(lit, nullptr);
+    lit.panes.back().emission = glm::vec3(2.0f);
+    const Probe probe(device, pixel, {depth});
+    const glm::vec3 received = (probe_of(lit, &probe) - dark) / 2.0f;
+    const glm::vec3 told = probe.read_answer(device)[0];
+    // A method with one transmittance for all channels uses it for what shines too: the mean tells as much.
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(told[c], received[c], 0.004) << "depth " << depth;
+  }
 }
 
 }  // namespace

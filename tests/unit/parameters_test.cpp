@@ -18,6 +18,7 @@ class Example : public Method {
   Traits traits() const override { return {}; }
   Needs needs(glm::uvec2, const Transparents&) const override { return {}; }
   void record(const Picture&) override {}
+  void probe(const Picture&, const Probe&) const override {}
   void visit(ParameterVisitor& visitor) override {
     static constexpr std::string_view kWarps[] = {"linear", "log", "sqrt"};
     visitor.number("bias_m", bias, {-1.5, 1.5, "m", "Trades leaks for detachment."});

@@ -20,7 +20,8 @@ class Avboit final : public Method {
                                          : "Drobot, SIGGRAPH 2025 Advances in Real-Time Rendering, VBOIT",
             .transmission = "RGB; `colour` selects cheaper modes",
             .emission = "exact where nothing covers; else scaled as the coverage is",
-            .limits = "events within a slice of each other mix; silhouettes are as coarse as a cell"};
+            .limits = "events within a slice of each other mix; silhouettes are as coarse as a cell",
+            .street_rmse = settings_.adaptive ? 0.025 : 0.03};
   }
   std::vector<std::string> missing(const gpu::Device& device) const override {
     if (settings_.exact_layer_count() == 0 || device.has_int64_atomics()) return {};
@@ -65,6 +66,10 @@ class Avboit final : public Method {
     avboit::record_accumulate(picture, *drawn_);
     avboit::record_resolve(picture, *drawn_);
     avboit::record_outputs(picture, *drawn_);
+  }
+
+  void probe(const Picture& picture, const Probe& probe) const override {
+    avboit::record_probe(picture, *drawn_, probe);
   }
 
  private:

@@ -93,5 +93,8 @@ void record_accumulate(const Picture& picture, const Plan& plan);
 /// distortion, surface: where the picture wants them, weighted by the same transmittance.
 void record_outputs(const Picture& picture, const Plan& plan);
 
+/// probe: what the frame believes of one pixel.
+void record_probe(const Picture& picture, const Plan& plan, const Probe& probe);
+
 }  // namespace plume::avboit
 #endif

@@ -3,7 +3,7 @@
 #define PLUME_METHODS_REFERENCE_LIST_GLSL
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-#include "methods/reference.h"
+#include "methods/fragment_list/fragment_list.h"
 
 layout(early_fragment_tests) in;
 layout(scalar, binding = 8) buffer Pool { FragmentPool pool; };

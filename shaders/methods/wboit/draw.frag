@@ -1,46 +1,13 @@
 // Weighted, blended order-independent transparency: w guesses from depth and opacity how much of a fragment is seen,
 //   image = (sum C a w) (1 - prod(1 - a)) / (sum a w) + background prod(1 - a).
-// McGuire and Bavoil, JCGT 2(2), 2013, equations 7 to 10; their blog's colour-aware factor (2013); LearnOpenGL's demo (2020).
 // Limits: the guess must be tuned to the scene's depths; near-opaque things let what lies behind them through.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
-#include "surface/weighted.glsl"
-
-layout(constant_id = 0) const uint kWeight = 0;
-layout(constant_id = 1) const float kDepthScale = 1.0;   // paper's units per metre
-
-layout(location = 0) out vec4 accum;
-layout(location = 1) out float revealage;
-layout(location = 2) out vec4 emission;
-
-float eq9_depth(float z) { return clamp(0.03 / (1e-5 + pow(z / 200.0, 4.0)), 1e-2, 3e3); }
-
-float weight(Fragment f, float alpha) {
-  const float z = f.depth * kDepthScale;
-  // Window depth of a conventional projection between near and far, which equation 10 and the demo are written for.
-  const float window = view.far_m / (view.far_m - view.near_m) * (1.0 - view.near_m / f.depth);
-  switch (kWeight) {
-    case 0u: return alpha * clamp(10.0 / (1e-5 + pow(z / 5.0, 2.0) + pow(z / 200.0, 6.0)), 1e-2, 3e3);
-    case 1u: return alpha * clamp(10.0 / (1e-5 + pow(z / 10.0, 3.0) + pow(z / 200.0, 6.0)), 1e-2, 3e3);
-    case 2u: return alpha * eq9_depth(z);
-    case 3u: return alpha * max(1e-2, 3e3 * pow(max(1.0 - window, 0.0), 3.0));
-    case 4u: {
-      const vec3 light = f.color + f.emission;
-      return max(min(1.0, max(light.r, max(light.g, light.b))), alpha) * eq9_depth(z);
-    }
-    default: {
-      const float opacity = min(1.0, alpha * 10.0) + 0.01, near = max(1.0 - window * 0.9, 0.0);
-      return clamp(opacity * opacity * opacity * 1e8 * near * near * near, 1e-2, 3e3);
-    }
-  }
-}
+#include "methods/wboit/weight.glsl"
+#include "methods/weighted/weighted.glsl"
 
 void main() {
   const Fragment f = shade();
-  const float alpha = gray_coverage(f);
-  const WeightedSums s = weighted(f, weight(f, alpha), 1.0);
-  accum = s.accum;
-  revealage = 1.0 - alpha;
-  emission = s.emission;
+  write_weighted(f, vec3(weight(f.depth, gray_coverage(f), f.color + f.emission)), vec3(1.0), false);
 }

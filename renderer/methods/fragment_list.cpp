@@ -1,0 +1,38 @@
+#include "renderer/methods/fragment_list.h"
+
+#include <cstddef>
+
+namespace plume::fragment_list {
+namespace {
+
+glm::uvec2 address_of(const gpu::Buffer& buffer) {
+  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
+}
+
+}  // namespace
+
+void add_needs(Needs& needs, glm::uvec2 size, uint32_t capacity) {
+  needs.buffers.push_back(
+      {.name = "heads", .bytes = uint64_t(size.x) * size.y * 4, .clear = shared::kListEnd});
+  needs.buffers.push_back({.name = "pool", .bytes = sizeof(shared::FragmentPool), .clear = 0});
+  needs.buffers.push_back(
+      {.name = "nodes", .bytes = uint64_t(capacity) * sizeof(shared::FragmentNode), .clear = {}});
+}
+
+void reset(gpu::Pass& pass, const Resources& resources, uint32_t capacity, const gpu::Buffer* extras) {
+  pass.update(resources.buffer("pool"),
+              shared::FragmentPool{.count = 0,
+                                   .capacity = capacity,
+                                   .address = address_of(resources.buffer("nodes")),
+                                   .extras = extras ? address_of(*extras) : glm::uvec2(0)});
+}
+
+gpu::Bindings bindings(const Resources& resources) {
+  return {{"Pool", &resources.buffer("pool")}, {"Heads", &resources.buffer("heads")}};
+}
+
+shared::FragmentPool pool(gpu::Device& device, const Resources& resources) {
+  return gpu::read<shared::FragmentPool>(device, resources.buffer("pool"))[0];
+}
+
+}  // namespace plume::fragment_list

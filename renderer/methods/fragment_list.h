@@ -1,0 +1,23 @@
+// Per-pixel linked lists of fragments (Yang et al., "Real-Time Concurrent Linked List Construction on the
+// GPU", EGSR 2010): what a method needs that captures fragments before it blends them. Shaders append with
+// methods/fragment_list/append.glsl and read with sort.glsl beside it.
+#ifndef PLUME_METHODS_FRAGMENT_LIST_H
+#define PLUME_METHODS_FRAGMENT_LIST_H
+
+#include "renderer/methods/method.h"
+#include "shaders/methods/fragment_list/fragment_list.h"
+
+namespace plume::fragment_list {
+
+/// Buffers `heads`, `pool` and `nodes`, for so many fragments in the whole picture.
+void add_needs(Needs& needs, glm::uvec2 size, uint32_t capacity);
+/// Makes the lists empty; a barrier must follow. `extras`: a vec2 for each node, where one is wanted.
+void reset(gpu::Pass& pass, const Resources& resources, uint32_t capacity,
+           const gpu::Buffer* extras = nullptr);
+/// What both shader files bind.
+gpu::Bindings bindings(const Resources& resources);
+/// How full the lists of the last frame were. Waits for the device.
+shared::FragmentPool pool(gpu::Device& device, const Resources& resources);
+
+}  // namespace plume::fragment_list
+#endif
