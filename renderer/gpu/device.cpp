@@ -266,7 +266,7 @@ void Device::create_device() {
   const auto at_least = [&](const char* name, uint64_t value, uint64_t needed) {
     if (value < needed) missing.push_back(fmt::format("limit {} of {} (it has {})", name, needed, value));
   };
-  at_least("maxColorAttachments", limits_.maxColorAttachments, 4);
+  at_least("maxColorAttachments", limits_.maxColorAttachments, 8);
   at_least("maxPushConstantsSize", limits_.maxPushConstantsSize, 128);
   at_least("maxComputeSharedMemorySize", limits_.maxComputeSharedMemorySize, 16384);
   at_least("maxComputeWorkGroupInvocations", limits_.maxComputeWorkGroupInvocations, 256);

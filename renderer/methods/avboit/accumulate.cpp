@@ -30,10 +30,11 @@ void add_accumulate_needs(Needs& needs, const Plan& plan) {
   };
   const uint32_t half = plan.settings.half_particles ? 2 : kNowhere;
   add("light", format, 1, kTargetUsage);
-  add("glow", format, 1, kTargetUsage);
   add("norm", vk::Format::eR16Sfloat, 1, kTargetUsage);
   add("norm_rgb", format, plan.coloured ? 1 : kNowhere, kTargetUsage);
   add("through", through, 1, kTargetUsage);
+  add("known_light", through, 1, kTargetUsage);
+  add("known_norm", through, 1, kTargetUsage);
   add("light_half", format, half, kTargetUsage);
   add("norm_half", vk::Format::eR16Sfloat, half, kTargetUsage);
   add("norm_rgb_half", format, plan.coloured ? half : kNowhere, kTargetUsage);
@@ -63,7 +64,8 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     const bool tints = exact || kind == shared::kKindRgb || s.accumulation == Accumulation::kR11G11B10;
     const bool each_channel =
         colour == Colour::kRgb && (kind == shared::kKindRgb || exact || behind_rgb || behind_layers);
-    // What a kind of card does not need comes last, and is left out.
+    // What a kind of card does not need comes last, and is left out. Exact cards have sums of their own:
+    // their weights are known, and only those of the others are corrected by the fraction in resolve.
     std::vector<gpu::Attachment> targets;
     const auto add = [&](const std::string& name, gpu::Blend blend) {
       targets.push_back({.image = image(half ? name + "_half" : name), .blend = blend, .clear = {}});
@@ -71,7 +73,8 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     add("light", gpu::Blend::kAddMultiplyAlpha);
     add(each_channel ? "norm_rgb" : "norm", gpu::Blend::kAdd);
     if (tints) add("through", gpu::Blend::kMultiply);
-    if (exact) add("glow", gpu::Blend::kAdd);
+    if (exact) add("known_light", gpu::Blend::kAdd);
+    if (exact) add("known_norm", gpu::Blend::kAdd);
     const uint32_t lane_bits =
         kind == shared::kKindRgb && plan.rgb ? (plan.rgb_words() == 1 ? 8u : 32u) : s.lane_bits();
     const glm::uvec2 area = half ? (plan.size + 1u) / 2u : plan.size;
@@ -99,7 +102,8 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
       pass.clear(*image(std::string("norm_rgb") + end), {0, 0, 0, 0});
       pass.clear(*image(std::string("through") + end), {1, 1, 1, 1});
     }
-    pass.clear(*image("glow"), {0, 0, 0, 0});
+    pass.clear(*image("known_light"), {0, 0, 0, 0});
+    pass.clear(*image("known_norm"), {0, 0, 0, 0});
     pass.barrier();
     for (uint32_t c = 0; c < shared::kClasses; ++c) {
       const uint32_t kind = c / 4;

@@ -30,7 +30,8 @@ void record_resolve(const Picture& picture, const Plan& plan) {
                    {"Overlaps", buffer("overlaps")},
                    {"Flagged", buffer("flagged")},
                    {"opaque_depth", &picture.opaque_depth},
-                   {"glow", image("glow")},
+                   {"known_light", image("known_light")},
+                   {"known_norm", image("known_norm")},
                    {"opaque_color", &picture.opaque_color},
                    {"result", &picture.result}},
                   picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});

@@ -1,7 +1,8 @@
 // AVBOIT, draw: every fragment in any order, weighted by the transmittance T(z) in front of it.
 //   light:   rgb sum (C a + E) T     a: prod(1 - a) of what does not tint
 //   norm:    sum a T                 what the fraction in resolve divides by; a sum for each channel behind RGB sources
-//   glow:    rgb sum E (1 - a) T     of exact cards: shining without covering must not enter the fraction
+//   known_light, known_norm:  the part of light and norm of exact cards whose weight is not in doubt: only what the volume says
+//            of T is, so it is the share that T lets through. Shining without covering belongs there too
 //   through: rgb prod t, a: prod(mean t), of what tints
 // Chromaticity skew (kSkew): optical depth of each channel counts as far as the fragment is seen, mix(gray, rgb, T(z)), so that
 // glass in thick smoke does not tint what lies before it.
@@ -25,7 +26,8 @@ layout(location = 7) flat in float v_slice;
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 norm;
 layout(location = 2) out vec4 through;
-layout(location = 3) out vec4 glow;
+layout(location = 3) out vec4 known_light;
+layout(location = 4) out vec4 known_norm;
 
 void main() {
   const Fragment f = shade();
@@ -35,6 +37,7 @@ void main() {
   const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(min(f.optical_depth, -log(kLeastTransmittance)));   // as the splat takes it
   const vec2 pixel = gl_FragCoord.xy * float(kScale);
   vec3 t = transmittance_at(pixel, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
+  const float known = kExact != 0u ? dot(t, vec3(1.0 / 3.0)) : 0.0;
   if (kBehindLayers != 0u) {
     const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, kExact != 0u ? -log(max(gray, kLeastTransmittance)) : 0.0);
     t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
@@ -44,8 +47,10 @@ void main() {
   vec3 tint = passed;
   if (kColour == kSkew || kColour == kFirstEvent) tint = exp(mix(log(max(vec3(gray), kLeastTransmittance)), log(max(passed, kLeastTransmittance)), t));
   if (kColour == kFirstEvent && kTints != 0u) seen *= luma(tint) / max(tint, vec3(1.0 / 256.0));
-  light = vec4(seen * t, kTints != 0u ? 1.0 : gray);
-  norm = vec4((1.0 - weighed) * t, 0.0);
+  const vec3 share = (1.0 - weighed) * t;
+  light = vec4(seen * t * (1.0 - known), kTints != 0u ? 1.0 : gray);
+  norm = vec4(share * (1.0 - known), 0.0);
   through = vec4(tint, gray);
-  glow = vec4(f.emission * (1.0 - inside) * t, 0.0);
+  known_light = vec4((seen * known + f.emission * (1.0 - inside)) * t, 0.0);
+  known_norm = vec4(share * known, 0.0);
 }

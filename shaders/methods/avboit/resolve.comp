@@ -1,6 +1,9 @@
-// AVBOIT, resolve:  image_c = (sum C a T_c) (1 - prod t_c + e) / (sum a_c T_c + e) + background prod t_c.
+// AVBOIT, resolve:  image_c = E_c + S_c (1 - prod t_c - N_c + e) / (M_c + e) + background prod t_c,
+// with sums of C a T and of a T: E and N over what is known of the weights (see accumulate.frag), S and M over the rest. The rest is
+// scaled to cover what is left, which is the same share in each channel: were glass in front of smoke in the fraction, it would hide the
+// smoke's error in the channels that it blocks and not in those that it passes, and the smoke would change its colour.
 // The small e (kEpsilon) makes the fraction 1 where nothing covers, so that emission without coverage passes as it is. It vanishes as
-// coverage grows: all weights may be small where much is in one slice.
+// coverage grows, since all weights may be small where much is in one slice, and grows with the rounding of N.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/avboit/colour.h"
@@ -17,7 +20,8 @@ layout(binding = 10) uniform sampler2D light;
 layout(binding = 11) uniform sampler2D norm;
 layout(binding = 12) uniform sampler2D through;
 layout(binding = 13) uniform sampler2D norm_rgb;
-layout(binding = 14) uniform sampler2D glow;
+layout(binding = 14) uniform sampler2D known_light;
+layout(binding = 26) uniform sampler2D known_norm;
 layout(binding = 15) uniform sampler2D light_half;
 layout(binding = 16) uniform sampler2D norm_half;
 layout(binding = 17) uniform sampler2D through_half;
@@ -96,14 +100,15 @@ void main() {
   }
   const vec3 passed = s.light.a * s.through.rgb;
   const vec3 covers = kColour == kFullRgb ? 1.0 - passed : vec3(1.0 - s.light.a * s.through.a);
+  const vec3 known = texelFetch(known_norm, pixel, 0).rgb;
+  const vec3 left = max(1.0 - covers, 0.0), e = kEpsilon * (left * left + known) + 1e-7;
   vec3 seen = s.light.rgb;
+  if (kNormalise != 0u) seen *= (max(covers - known, 0.0) + e) / (s.norm + e);
+  seen += texelFetch(known_light, pixel, 0).rgb;
   if (kColour == kSkew || kColour == kFirstEvent) {
     const bool mixed = shares_slice(pixel);
     if (mixed) atomicAdd(flagged[0], 1u);
     if (!mixed || kSkewGuard == 0u) seen *= s.through.rgb / max(luma(s.through.rgb), 1e-6);
   }
-  const vec3 left = max(1.0 - covers, 0.0), e = kEpsilon * left * left + 1e-7;
-  if (kNormalise != 0u) seen *= (covers + e) / (s.norm + e);
-  seen += texelFetch(glow, pixel, 0).rgb;
   imageStore(result, pixel, vec4(seen + texelFetch(opaque_color, pixel, 0).rgb * passed, 1.0));
 }
