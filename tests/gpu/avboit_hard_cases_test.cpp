@@ -180,6 +180,24 @@ TEST_F(AvboitDolly, DoesNotMakeSmoothCardsSwingInTheVolume) {
   EXPECT_GT(swing_of("vboit").first, 10) << "a positive control: fixed slices are thicker than 0.25 m here";
 }
 
+TEST_F(AvboitHardCases, FireBehindGlassKeepsItsHue) {
+  // Wrong weights of the fire must not be mended in the channels that the glass passes and left in those
+  // that it blocks; nor may a fragment that its cell hardly saw shine through what lies in front of it.
+  Stage stage(device, pipelines, library, library.scene("street"));
+  const glm::uvec2 picture{480, 270};
+  const Image exact = draw(stage, 426, picture, "reference").linear;
+  const Image drawn = draw(stage, 426, picture, "avboit").linear;
+  size_t off_hue = 0, bright = 0, seen = 0;
+  for (uint32_t y = 112; y < 218; ++y)
+    for (uint32_t x = 324; x < 376; ++x, ++seen) {  // the blue pane
+      const glm::vec3 a = exact.pixels[y * picture.x + x], b = drawn.pixels[y * picture.x + x];
+      off_hue += std::abs(std::log2((b.r / b.b) / (a.r / a.b))) > 0.2f;
+      bright += b.r + b.g + b.b > 1.5f * (a.r + a.g + a.b);
+    }
+  EXPECT_LT(off_hue, seen / 20);
+  EXPECT_LT(bright, seen / 500);
+}
+
 TEST_F(AvboitHardCases, TwoPanesAreRightInRgbAndWrongWhenSkewed) {
   Stage stage(device, pipelines, library, library.scene("hard_panes"));
   const glm::uvec2 picture{128, 72};
