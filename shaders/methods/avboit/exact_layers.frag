@@ -23,7 +23,7 @@ void main() {
   const float coverage = coverage_of(density(puff_texel()));
   if (coverage <= 0.0) return;
   const vec3 through = 1.0 - coverage * (1.0 - v_transmission.rgb);
-  uint64_t key = uint64_t(floatBitsToUint(v_uv_depth.z)) << 32 | uint64_t(pack_layer(through));
+  uint64_t key = uint64_t(layer_place(v_uv_depth.z, v_layers_id.z)) << 32 | uint64_t(pack_layer(through));
   const uint pixels = view.size.x * view.size.y, pixel = uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x);
   for (uint k = 0u; k < kLayers; ++k) {
     const uint64_t old = atomicMin(layers[k * pixels + pixel], key);

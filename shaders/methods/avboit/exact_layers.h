@@ -6,7 +6,10 @@
 
 PLUME_SHARED_BEGIN
 
-// A layer is a 64-bit key: bits of the view depth, above 10 bits of each channel's transmittance.
+// A layer is a 64-bit key: its place along the ray, above 10 bits of each channel's transmittance. The place is
+// the bits of the view depth without the last few, where the card's index stands instead: cards of one depth
+// hide each other in the order of their indices, as in the reference.
+const uint kTieMask = 63u;
 const uint kLayerSteps = 1023u;
 const float kTailSteps = 4096.0f;   // of the tail, a unit of optical depth
 const uint kNoLayer = 0xffffffffu;  // in both halves: farther than any
@@ -17,6 +20,14 @@ PLUME_SHARED_END
 uint pack_layer(vec3 t) {
   const uvec3 q = uvec3(t * float(kLayerSteps) + 0.5);
   return q.r | q.g << 10 | q.b << 20;
+}
+uint layer_place(float depth, uint id) { return (floatBitsToUint(depth) & ~kTieMask) | (id & kTieMask); }
+float layer_depth(uint place) { return uintBitsToFloat(place & ~kTieMask); }
+// Of a fragment. Never the fragment itself, though its depth differs by a rounding from that of the draw which made the layer.
+bool layer_in_front(uint place, float depth, uint id) {
+  const uint mine = layer_place(depth, id);
+  const bool itself = (place & kTieMask) == (mine & kTieMask) && layer_depth(place) > layer_depth(mine) * 0.99998;
+  return place < mine && !itself;
 }
 vec3 unpack_layer(uint word) {
   return vec3(uvec3(word, word >> 10, word >> 20) & kLayerSteps) / float(kLayerSteps);

@@ -29,7 +29,7 @@ vec3 probe_transmittance(uvec2 pixel, float depth) {
   const float p = integrated_place(tile.y * volume.tiles.x + tile.x, min(slice_at(depth), float(warp.used) - 0.001));
   vec3 t = p < 0.0 ? vec3(1.0) : transmittance_at(vec2(pixel) + 0.5, p, vec3(0.0));
   if (volume.exact_layers > 0u) {
-    const vec3 layers_t = layers_in_front(pixel, depth, 0.0);
+    const vec3 layers_t = layers_in_front(pixel, depth, 0u, 0.0);
     t *= kEachChannel != 0u ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
   }
   return t;

@@ -83,7 +83,7 @@ bool shares_slice(ivec2 pixel) {
   for (uint k = 0u; k < volume.exact_layers; ++k) {
     const uvec2 layer = layers[k * plane + first];
     if (layer.y == kNoLayer) break;
-    const float here = slice_at(uintBitsToFloat(layer.y));
+    const float here = slice_at(layer_depth(layer.y));
     found = found || here - before < 1.0;
     before = here;
   }

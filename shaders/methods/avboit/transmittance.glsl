@@ -15,7 +15,7 @@ layout(constant_id = 8) const uint kLaneBits = 16u;  // of the fields that the f
 layout(binding = 10) uniform sampler2DArray integral;      // (before, behind) each slice
 layout(binding = 11) uniform sampler2DArray integral_rg;   // (r before, r behind, g before, g behind)
 layout(binding = 12) uniform sampler2DArray integral_b;
-layout(scalar, binding = 13) readonly buffer Layers { uvec2 layers[]; };   // [layer][pixel]: (transmittance, depth)
+layout(scalar, binding = 13) readonly buffer Layers { uvec2 layers[]; };   // [layer][pixel]: (transmittance, place)
 layout(scalar, binding = 14) readonly buffer LayerTail { uint tail[]; };
 
 // Nodes in front of and behind a slice, a row a channel.
@@ -48,16 +48,14 @@ vec3 value_at(vec2 uv, float place) {
   return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
 }
 
-// What the exact layers in front of a depth leave. Layers within a relative 1e-5 of it are the fragment itself; `own` is its optical
-// depth as it may be in the tail.
-vec3 layers_in_front(uvec2 pixel, float depth, float own) {
+// What the exact layers in front of a fragment of card `id` leave; `own` is its optical depth as it may be in the tail.
+vec3 layers_in_front(uvec2 pixel, float depth, uint id, float own) {
   vec3 t = vec3(1.0);
   const uint plane = view.size.x * view.size.y, first = pixel.y * view.size.x + pixel.x;
-  const float nearer = depth * 0.99999;
   uint k = 0u;
   for (; k < volume.exact_layers; ++k) {
     const uvec2 layer = layers[k * plane + first];
-    if (!(uintBitsToFloat(layer.y) < nearer)) break;   // also where there is none: its bits are no number
+    if (!layer_in_front(layer.y, depth, id)) break;
     t *= unpack_layer(layer.x);
   }
   return k > 0u && k == volume.exact_layers ? t * exp(-max(float(tail[first]) / kTailSteps - own, 0.0)) : t;
