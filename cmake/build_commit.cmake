@@ -1,4 +1,5 @@
 # Writes OUTPUT with the commit of SOURCE_DIR, and leaves the file alone when nothing changed.
+cmake_minimum_required(VERSION 3.25)
 find_package(Git QUIET)
 set(commit "unknown")
 if(Git_FOUND)

@@ -97,13 +97,21 @@ FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const T
                           .surface = written.surface ? &targets.surface : nullptr,
                           .size = targets.size};
     prelude.geometry(frame, targets);
+    const size_t own_first = frame.pass_count();
     clear_declared_buffers(frame, needs, instance.resources);
-    prelude.opaque(frame, targets, method.prepare(picture));
+    const gpu::Image& visible = method.prepare(picture);
+    const size_t opaque_first = frame.pass_count();
+    prelude.opaque(frame, targets, visible);
+    const size_t opaque_end = frame.pass_count();
     method.record(picture);
+    const size_t own_end = frame.pass_count();
     if (probe) method.probe(picture, *probe);
     chain.record(frame, *transparents.view);
     show(frame, targets, *transparents.view);
     report.passes = frame.finish();
+    report.transparency_ms = 0.0;
+    for (size_t i = own_first; i < own_end; ++i)
+      if (i < opaque_first || i >= opaque_end) report.transparency_ms += report.passes[i].ms;
     if (!method.must_redraw(device, instance.resources)) return report;
   }
 }

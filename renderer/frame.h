@@ -54,6 +54,7 @@ struct Prelude {
 
 struct FrameReport {
   std::vector<gpu::PassTime> passes;  ///< of the last, complete drawing
+  double transparency_ms = 0.0;       ///< of those, the method's own: not what is the same for all methods
   uint32_t redraws = 0;               ///< drawings thrown away because the method had to grow
   std::vector<std::string> left_out;  ///< outputs that the picture wants and the method does not write
 };

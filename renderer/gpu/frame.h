@@ -112,6 +112,7 @@ class Frame {
 
   Device& device() { return device_; }
   Pipelines& pipelines() { return pipelines_; }
+  size_t pass_count() const { return passes_.size(); }
 
  private:
   void full_barrier();

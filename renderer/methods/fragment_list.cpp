@@ -35,4 +35,14 @@ shared::FragmentPool pool(gpu::Device& device, const Resources& resources) {
   return gpu::read<shared::FragmentPool>(device, resources.buffer("pool"))[0];
 }
 
+std::vector<shared::FragmentNode> fragments_at(gpu::Device& device, const Resources& resources,
+                                               glm::uvec2 size, glm::uvec2 pixel) {
+  const auto heads = gpu::read<uint32_t>(device, resources.buffer("heads"));
+  const auto nodes = gpu::read<shared::FragmentNode>(device, resources.buffer("nodes"));
+  std::vector<shared::FragmentNode> fragments;
+  for (uint32_t node = heads[pixel.y * size.x + pixel.x]; node != shared::kListEnd; node = nodes[node].next)
+    fragments.push_back(nodes[node]);
+  return fragments;
+}
+
 }  // namespace plume::fragment_list

@@ -19,5 +19,9 @@ gpu::Bindings bindings(const Resources& resources);
 /// How full the lists of the last frame were. Waits for the device.
 shared::FragmentPool pool(gpu::Device& device, const Resources& resources);
 
+/// The fragments of one pixel of a picture of `size`, in the order of its list: after sorting, front to back.
+std::vector<shared::FragmentNode> fragments_at(gpu::Device& device, const Resources& resources,
+                                               glm::uvec2 size, glm::uvec2 pixel);
+
 }  // namespace plume::fragment_list
 #endif

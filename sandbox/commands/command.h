@@ -39,7 +39,13 @@ struct DrawFlags {
   uint64_t memory_limit_mib = 0;
   std::string out = "out";
 };
+/// Those that say what is drawn, and on what.
+void add_picture_flags(CLI::App& command, DrawFlags& flags);
+/// Those, and the ones that say which frames and where they go.
 void add_draw_flags(CLI::App& command, DrawFlags& flags);
+
+/// Of `--methods`: ids, or "all". Throws UsageError.
+std::vector<MethodRun> method_runs(const std::vector<std::string>& names);
 
 /// Applies every `--set method.parameter=value` to the methods of that id that do not name the parameter
 /// themselves.
@@ -67,6 +73,7 @@ using Run = std::function<int()>;
 void add_open(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_replay(CLI::App& program, Run& run);
+void add_probe(CLI::App& program, Run& run);
 void add_diff(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_list(CLI::App& program, Run& run);

@@ -1,7 +1,6 @@
 // plume compare SCENE...: accuracy and time of methods against the exact reference.
 #include <fmt/format.h>
 
-#include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
 
 namespace plume {
@@ -13,21 +12,6 @@ struct CompareFlags : DrawFlags {
   std::optional<uint32_t> tick;
   uint32_t frames = 5;
 };
-
-std::vector<MethodRun> method_runs(const std::vector<std::string>& names) {
-  std::vector<MethodRun> runs;
-  for (const std::string& name : names) {
-    if (name == "all") {
-      for (const std::string& id : method_ids()) runs.push_back({.id = id, .settings = {}});
-      continue;
-    }
-    if (!make_method(name))
-      throw UsageError(
-          fmt::format("--methods: unknown method `{}`, {}", name, suggestion(name, method_ids())));
-    runs.push_back({.id = name, .settings = {}});
-  }
-  return runs;
-}
 
 int run_compare(const CompareFlags& flags) {
   const PresetLibrary library(preset_root());

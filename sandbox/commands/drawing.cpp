@@ -80,7 +80,7 @@ Shard parse_shard(const std::string& text) {
 
 }  // namespace
 
-void add_draw_flags(CLI::App& command, DrawFlags& flags) {
+void add_picture_flags(CLI::App& command, DrawFlags& flags) {
   command.add_option_function<std::string>(
       "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
       "picture size, WxH, 1x1 to 16384x16384");
@@ -90,22 +90,41 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
                      "part of a device's name, or its index in `plume list devices`");
   command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`")
       ->allow_extra_args(false);
+  command.add_flag("--validate", flags.validate,
+                   "run with the Vulkan validation layer; any message makes the exit code 1");
+  command.add_option("--shaders", flags.shaders,
+                     "compile shaders from this folder instead of the embedded ones");
+  command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
+      ->check(CLI::Range(1, 1 << 24));
+}
+
+void add_draw_flags(CLI::App& command, DrawFlags& flags) {
+  add_picture_flags(command, flags);
   command.add_option_function<std::string>(
       "--shard", [&flags](const std::string& text) { flags.shard = parse_shard(text); },
       "I/N: only the I-th of N parts of the ticks, from 0");
   command.add_flag("--resume", flags.resume,
                    "keep the frames in --out and draw what is missing; scenes, scripts and --seed as before");
-  command.add_flag("--validate", flags.validate,
-                   "run with the Vulkan validation layer; any message makes the exit code 1");
   command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
   command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
       ->capture_default_str()
       ->check(
           [](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; });
-  command.add_option("--shaders", flags.shaders,
-                     "compile shaders from this folder instead of the embedded ones");
-  command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
-      ->check(CLI::Range(1, 1 << 24));
+}
+
+std::vector<MethodRun> method_runs(const std::vector<std::string>& names) {
+  std::vector<MethodRun> runs;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const std::string& id : method_ids()) runs.push_back({.id = id, .settings = {}});
+      continue;
+    }
+    if (!make_method(name))
+      throw UsageError(
+          fmt::format("--methods: unknown method `{}`, {}", name, suggestion(name, method_ids())));
+    runs.push_back({.id = name, .settings = {}});
+  }
+  return runs;
 }
 
 void apply_settings(const std::vector<std::string>& settings, std::vector<Replay>& replays) {

@@ -30,6 +30,7 @@ struct Contender {
   std::vector<std::string> missing;   // of the device
   std::vector<std::string> left_out;  // of the last drawing
   std::vector<std::vector<gpu::PassTime>> samples;
+  std::vector<double> transparency_ms;  // of the same drawings
   std::optional<DrawnPicture> picture;
 };
 
@@ -245,7 +246,7 @@ class Measurement {
       stop_if_interrupted();
       stage.go_to(tick, replay.size);
       const DrawnPicture reference = draw_reference(stage, targets);
-      for (Contender& c : contenders) c.samples.clear(), c.picture.reset();
+      for (Contender& c : contenders) c.samples.clear(), c.transparency_ms.clear(), c.picture.reset();
       draw_contenders(replay, stage, targets, contenders);
       for (size_t i = 0; i < jobs.size(); ++i)
         if (const auto before = finished(jobs[i]); before != results_.frames.end())
@@ -277,7 +278,10 @@ class Measurement {
         auto report =
             render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
         c.left_out = std::move(report.left_out);
-        if (repetition >= replay.warmup) c.samples.push_back(std::move(report.passes));
+        if (repetition >= replay.warmup) {
+          c.samples.push_back(std::move(report.passes));
+          c.transparency_ms.push_back(report.transparency_ms);
+        }
         if (!c.picture) c.picture = read_picture(device_, targets);
       }
   }
@@ -291,6 +295,7 @@ class Measurement {
     FrameResult& frame = job.frame;
     if (contender.missing.empty()) {
       summarise_passes(contender.samples, frame);
+      frame.transparency_ms = summarise(contender.transparency_ms).median;
       frame.statistics = contender.instance.method->statistics(device_, contender.instance.resources);
       frame.left_out = contender.left_out;
       frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);

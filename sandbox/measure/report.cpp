@@ -76,15 +76,15 @@ std::string row(const FrameResult& frame) {
   std::string cells = fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", escape(frame.scene), frame.tick,
                                   escape(frame.method));
   if (frame.status != "ok" || !frame.error)
-    return cells + fmt::format("<td colspan=6>{}</td><td>{}</td></tr>\n", escape(frame.status),
-                               escape(settings_text(frame.settings)));
+    return cells + fmt::format("<td colspan=7>{}</td><td>{}</td></tr>\n", escape(frame.status),
+                               escape(settings_text(changed_settings(frame))));
   const ErrorSummary& e = *frame.error;
   return cells + fmt::format(
-                     "<td>{:.5f}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.2f}</td><td>{:.2f}</"
-                     "td><td>{}</td></tr>\n",
+                     "<td>{:.5f}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.2f}</td><td>{:.2f}</td>"
+                     "<td>{:.2f}</td><td>{}</td></tr>\n",
                      e.rmse, std::isfinite(e.psnr_db) ? fmt::format("{:.2f}", e.psnr_db) : "∞", e.ssim,
-                     e.flip, frame.gpu_ms, double(frame.memory_bytes) / 1048576.0,
-                     escape(left_out_text(frame) + settings_text(frame.settings)));
+                     e.flip, frame.gpu_ms, frame.transparency_ms, double(frame.memory_bytes) / 1048576.0,
+                     escape(left_out_text(frame) + settings_text(changed_settings(frame))));
 }
 
 std::string picture(const std::filesystem::path& folder, const std::string& file,
@@ -114,10 +114,11 @@ void write_report(const std::filesystem::path& path, const Results& results) {
       "exact reference; "
       "PSNR, SSIM and FLIP (67 pixels per degree) are over the displayed image. Lower RMSE and FLIP are "
       "better. GPU time is the "
-      "median of the sum of all passes.</p>\n"
+      "median of the sum of all passes; own are the method's passes among them, without what is the same for "
+      "all. Settings that are not named are the method's defaults.</p>\n"
       "<table><tr><th>scene</th><th>tick</th><th>method</th><th>RMSE</th><th>PSNR "
       "dB</th><th>SSIM</th><th>FLIP</th>"
-      "<th>GPU ms</th><th>MiB</th><th>settings</th></tr>\n",
+      "<th>GPU ms</th><th>own ms</th><th>MiB</th><th>settings</th></tr>\n",
       kStyle, escape(one_line(results.environment, ": ", " · ")));
   for (const FrameResult& frame : results.frames) page += row(frame);
   page +=
@@ -132,7 +133,8 @@ void write_report(const std::filesystem::path& path, const Results& results) {
       page += fmt::format("{}<h2>{}, tick {}</h2>\n<div class=\"pictures\">\n", i == 0 ? "" : "</div>\n",
                           escape(frame.scene), frame.tick);
     const std::string name =
-        frame.method + (frame.settings.empty() ? "" : " (" + settings_text(frame.settings) + ")");
+        frame.method +
+        (changed_settings(frame).empty() ? "" : " (" + settings_text(changed_settings(frame)) + ")");
     page += picture(path.parent_path(), frame.image, name + " — ms: " + passes_text(frame));
     page += picture(path.parent_path(), frame.error_map, name + ", error");
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/methods/methods.h"
 #include "sandbox/measure/file_bytes.h"
 
 namespace plume {
@@ -61,6 +62,7 @@ FrameResult frame_from_json(const json& from) {
     if (const json& count = from.at("passes")[i].at("fragments"); !count.is_null())
       frame.passes[i].fragments = count.get<uint64_t>();
   frame.gpu_ms = from.at("gpu_ms");
+  frame.transparency_ms = from.at("transparency_ms");
   frame.memory_bytes = from.at("memory_bytes");
   frame.left_out = from.at("left_out");
   if (const json& error = from.at("error"); !error.is_null())
@@ -78,6 +80,15 @@ FrameResult frame_from_json(const json& from) {
 }
 
 }  // namespace
+
+json changed_settings(const FrameResult& frame) {
+  const auto method = make_method(frame.method);
+  const json defaults = method ? parameter_values(*method) : json::object();
+  json changed = json::object();
+  for (const auto& [name, value] : frame.settings.items())
+    if (defaults.value(name, json()) != value) changed[name] = value;
+  return changed;
+}
 
 json to_json(const FrameResult& frame) {
   json passes = json::array();
@@ -104,6 +115,7 @@ json to_json(const FrameResult& frame) {
           {"status", frame.status},
           {"passes", passes},
           {"gpu_ms", frame.gpu_ms},
+          {"transparency_ms", frame.transparency_ms},
           {"memory_bytes", frame.memory_bytes},
           {"left_out", frame.left_out},
           {"error", error},
@@ -136,14 +148,16 @@ std::string to_csv(const Results& results) {
         pass_names.push_back(pass.name);
 
   std::string csv =
-      "scene,tick,width,height,method,settings,status,gpu_ms,memory_bytes,left_out,rmse,psnr_db,ssim,flip,"
+      "scene,tick,width,height,method,settings,status,gpu_ms,transparency_ms,memory_bytes,left_out,rmse,psnr_"
+      "db,ssim,flip,"
       "max";
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width,
-                       frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
-                       frame.gpu_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width,
+                    frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
+                    frame.gpu_ms, frame.transparency_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);
@@ -161,10 +175,10 @@ std::string to_csv(const Results& results) {
 
 std::string to_table(const Results& results) {
   std::string table =
-      fmt::format("{:<16} {:>5}  {:<10} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9}  {}\n", "scene", "tick", "method",
-                  "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "MiB", "settings");
+      fmt::format("{:<16} {:>5}  {:<16} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9} {:>9}  {}\n", "scene", "tick",
+                  "method", "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "own ms", "MiB", "settings");
   for (const FrameResult& frame : results.frames) {
-    table += fmt::format("{:<16} {:>5}  {:<10} ", frame.scene, frame.tick, frame.method);
+    table += fmt::format("{:<16} {:>5}  {:<16} ", frame.scene, frame.tick, frame.method);
     if (frame.status != "ok") {
       table += frame.status + "\n";
       continue;
@@ -174,9 +188,11 @@ std::string to_table(const Results& results) {
                            frame.error->ssim, frame.error->flip);
     else
       table += fmt::format("{:>9} {:>8} {:>7} {:>7} ", "-", "-", "-", "-");
-    table += fmt::format("{:>9.2f} {:>9.2f}  ", frame.gpu_ms, double(frame.memory_bytes) / 1048576.0);
+    table += fmt::format("{:>9.2f} {:>9.2f} {:>9.2f}  ", frame.gpu_ms, frame.transparency_ms,
+                         double(frame.memory_bytes) / 1048576.0);
     for (const std::string& output : frame.left_out) table += fmt::format("no {}; ", output);
-    table += frame.settings.empty() ? "\n" : frame.settings.dump() + "\n";
+    const json changed = changed_settings(frame);
+    table += changed.empty() ? "\n" : changed.dump() + "\n";
   }
   return table;
 }

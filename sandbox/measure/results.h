@@ -36,6 +36,7 @@ struct FrameResult {
   std::string status = "ok";                           ///< or "unavailable: needs X"
   std::vector<PassSummary> passes;
   double gpu_ms = 0;                  ///< median over the repetitions of the sum of passes
+  double transparency_ms = 0;         ///< of that, the method's own passes: what is not the same for all
   uint64_t memory_bytes = 0;          ///< of the method's own images and buffers
   std::vector<std::string> left_out;  ///< outputs the picture wants that the method does not write
   std::optional<ErrorSummary> error;  ///< against the exact reference
@@ -49,6 +50,8 @@ struct Results {
   nlohmann::json demand;  ///< of the last tick measured
 };
 
+/// Those settings that are not the method's defaults: what tells two rows of one method apart.
+nlohmann::json changed_settings(const FrameResult& frame);
 nlohmann::json to_json(const FrameResult& frame);
 nlohmann::json to_json(const Results& results);
 /// Throws std::runtime_error that names the file when it is not a results.json.

@@ -26,6 +26,7 @@ class ResumeTest : public ProgramTest {
     json frames = results(folder)["frames"];
     for (json& frame : frames) {
       frame.erase("gpu_ms");
+      frame.erase("transparency_ms");
       for (json& pass : frame["passes"]) pass = pass["name"];
     }
     return frames;

@@ -1,0 +1,37 @@
+// Methods that call themselves exact, on everything that is shipped.
+#include <algorithm>
+
+#include "sandbox/measure/metrics.h"
+#include "tests/gpu/gpu_test.h"
+
+namespace plume {
+namespace {
+
+class ExactMethods : public GpuTest, public testing::WithParamInterface<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Shipped, ExactMethods,
+                         testing::ValuesIn(PresetLibrary(PLUME_SOURCE_PRESETS).ids(PresetKind::kScene)),
+                         [](const auto& scene) { return scene.param; });
+
+TEST_P(ExactMethods, AgreeWithTheReference) {
+  constexpr glm::uvec2 size{128, 72};
+  Stage stage(device, pipelines, library, library.scene(GetParam()));
+  const Targets targets(device, size, stage.post());
+  stage.go_to(stage.scene().default_tick, size);
+  MethodInstance reference = instance("reference");
+  const Image exact = draw(stage, targets, reference).linear;
+  float brightest = 0.0f;
+  for (const glm::vec3& pixel : exact.pixels) brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});
+  for (const std::string& id : method_ids()) {
+    MethodInstance method = instance(id);
+    if (!method.method->traits().exact || !method.method->missing(device).empty()) continue;
+    SCOPED_TRACE(id);
+    // A picture that the method cannot bend or blur is another picture: it says so in left_out.
+    const Outputs writes = method.method->outputs(), wanted = stage.post().wanted();
+    if ((wanted.distortion && !writes.distortion) || (wanted.surface && !writes.surface)) continue;
+    EXPECT_LT(max_abs(exact, draw(stage, targets, method).linear).value, 1e-3 * brightest);
+  }
+}
+
+}  // namespace
+}  // namespace plume
