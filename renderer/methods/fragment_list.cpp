@@ -31,6 +31,16 @@ gpu::Bindings bindings(const Resources& resources) {
   return {{"Pool", &resources.buffer("pool")}, {"Heads", &resources.buffer("heads")}};
 }
 
+void record_composite(const Picture& picture, const gpu::Image& background, bool redrawn) {
+  gpu::Bindings bound = bindings(picture.resources);
+  bound.push_back({"background", &background});
+  bound.push_back({"result", &picture.result});
+  picture.frame.pass("composite", [&](gpu::Pass& pass) {
+    pass.dispatch(pass.pipelines().compute("methods/fragment_list/composite.comp", {redrawn ? 1u : 0u}),
+                  bound, picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
+  });
+}
+
 shared::FragmentPool pool(gpu::Device& device, const Resources& resources) {
   return gpu::read<shared::FragmentPool>(device, resources.buffer("pool"))[0];
 }
@@ -43,6 +53,13 @@ std::vector<shared::FragmentNode> fragments_at(gpu::Device& device, const Resour
   for (uint32_t node = heads[pixel.y * size.x + pixel.x]; node != shared::kListEnd; node = nodes[node].next)
     fragments.push_back(nodes[node]);
   return fragments;
+}
+
+bool grow(gpu::Device& device, const Resources& resources, uint32_t& capacity) {
+  const shared::FragmentPool last = pool(device, resources);
+  if (last.count <= last.capacity) return false;
+  capacity = last.count + last.count / 8;  // room for the next frame of a growing effect
+  return true;
 }
 
 }  // namespace plume::fragment_list

@@ -4,6 +4,7 @@
 // against it.
 #define PLUME_METHODS(X) \
   X(reference)           \
+  X(linked_list)         \
   X(sorted)              \
   X(wboit)               \
   X(vboit)               \

@@ -58,15 +58,7 @@ class Reference final : public Method {
                        .constants = {},
                        .bindings = {}});
     });
-    const std::array<uint32_t, 3> squares{gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1};
-    picture.frame.pass("composite", [&](gpu::Pass& pass) {
-      pass.dispatch(pass.pipelines().compute("methods/reference/composite.comp"),
-                    {{"Pool", &resources.buffer("pool")},
-                     {"Heads", &resources.buffer("heads")},
-                     {"opaque_color", &picture.opaque_color},
-                     {"result", &picture.result}},
-                    picture.size, squares);
-    });
+    fragment_list::record_composite(picture, picture.opaque_color, true);
     if (!outputs) return;
     const Transparents& transparents = picture.transparents;
     const uint32_t haze_first = transparents.first(Source::kHaze);
@@ -79,7 +71,8 @@ class Reference final : public Method {
                      {"Heads", &resources.buffer("heads")},
                      {"distortion", picture.distortion ? picture.distortion : picture.surface},
                      {"surface", picture.surface ? picture.surface : picture.distortion}},
-                    glm::uvec2(haze_first, haze_first + transparents.number(Source::kHaze)), squares);
+                    glm::uvec2(haze_first, haze_first + transparents.number(Source::kHaze)),
+                    {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
     });
   }
 
@@ -89,10 +82,7 @@ class Reference final : public Method {
   }
 
   bool must_redraw(gpu::Device& device, const Resources& resources) override {
-    const shared::FragmentPool pool = fragment_list::pool(device, resources);
-    if (pool.count <= pool.capacity) return false;
-    capacity_ = pool.count + pool.count / 8;  // room for the next frame of a growing effect
-    return true;
+    return fragment_list::grow(device, resources, capacity_);
   }
 
  private:

@@ -1,4 +1,4 @@
-// The fragment lists of the exact reference.
+// A fragment of a list, and the pool that the lists of all pixels share.
 #ifndef PLUME_METHODS_REFERENCE_H
 #define PLUME_METHODS_REFERENCE_H
 
