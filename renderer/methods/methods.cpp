@@ -5,6 +5,7 @@
 #define PLUME_METHODS(X) \
   X(reference)           \
   X(linked_list)         \
+  X(abuffer)             \
   X(sorted)              \
   X(wboit)               \
   X(vboit)               \
