@@ -6,6 +6,7 @@
   X(reference)           \
   X(linked_list)         \
   X(abuffer)             \
+  X(adaptive)            \
   X(sorted)              \
   X(wboit)               \
   X(vboit)               \

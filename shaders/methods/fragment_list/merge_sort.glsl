@@ -1,5 +1,5 @@
-// Merge sort of a pixel's list, on the links, bottom up: there is no limit to its length, and it takes O(n log n). Whoever
-// includes this says by before() what the order is.
+// Merge sort of a pixel's list, on the links, bottom up: there is no limit to its length, and it takes O(n log n), or O(n) where
+// the list is in order. Whoever includes this says by before() what the order is.
 #ifndef PLUME_FRAGMENT_LIST_MERGE_SORT_GLSL
 #define PLUME_FRAGMENT_LIST_MERGE_SORT_GLSL
 #extension GL_EXT_buffer_reference : require
@@ -34,15 +34,15 @@ uint merge(Nodes list, uint a, uint b) {
   return head;
 }
 
-const uint kBins = 28u;   // runs of 2^bin fragments; more than any pool holds
+const uint kBins = 28u;   // of 2^bin runs; more than any pool holds
 
 uint sort(Nodes list, uint head) {
   uint bins[kBins];
   uint used = 0u;
   while (head != kListEnd) {
-    uint run = head;
-    head = list.nodes[run].next;
-    list.nodes[run].next = kListEnd;
+    uint run = head, last = head;   // as far as it is in order already
+    for (head = list.nodes[last].next; head != kListEnd && before(list, last, head); head = list.nodes[last].next) last = head;
+    list.nodes[last].next = kListEnd;
     uint bin = 0u;
     for (; bin < used && bins[bin] != kListEnd; ++bin) {
       run = merge(list, bins[bin], run);
