@@ -32,7 +32,7 @@ class Adaptive final : public Method {
             .limits =
                 "with few nodes, near-opaque layers hide themselves: a removed step of visibility moves "
                 "towards the camera; memory grows with the number of fragments",
-            .street_rmse = 0.5};
+            .street_rmse = 0.035};
   }
 
   void visit(ParameterVisitor& visitor) override {

@@ -7,9 +7,10 @@
 // into one tail a pixel, as in hybrid transparency (Maule et al., I3D 2013): their average weighted by what
 // they cover, seen through everything that was kept. What the pixel lets through stays right.
 //
-// Limits: exact while the pool has room. Beyond, the order of draws decides which fragments find a place, in
-// the whole picture: what is drawn last falls behind everything, even where it is nearest. Hybrid
-// transparency keeps the nearest instead. A node takes 36 bytes, so that nothing is rounded.
+// Limits: exact while the pool has room. Beyond, the order of arrival decides which fragments find a place,
+// in the whole picture: what comes last falls behind everything, even where it is nearest, and a device that
+// draws in tiles leaves whole tiles without a place. Hybrid transparency keeps the nearest instead. A node
+// takes 36 bytes, so that nothing is rounded.
 #include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
 #include "renderer/methods/weighted.h"

@@ -116,6 +116,13 @@ TEST_F(AdaptiveTest, IsExactWithANodeForEachFragment) {
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(exact[i][c], drawn[i][c], 1e-3f) << "pixel " << i;
 }
 
+TEST_F(AdaptiveTest, CardsOfOneDepthHideEachOther) {
+  for (int i = 0; i < 4; ++i) add({.z = 7, .optical_depth = 1, .color = {float(i) / 4, 1 - float(i) / 4, 0}});
+  const auto exact = draw_cards("reference").linear.pixels, drawn = draw_adaptive({}).pixels;
+  for (size_t i = 0; i < exact.size(); ++i)
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(exact[i][c], drawn[i][c], 1e-3f) << "pixel " << i;
+}
+
 TEST_F(AdaptiveTest, OpaqueFragmentsLeaveNothingToDivideBy) {
   for (int i = 0; i < 12; ++i)
     add({.z = 4 + float(i * 7 % 12),

@@ -66,7 +66,7 @@ TEST_F(LinkedListTest, TheTailIsTheAverageOfWhatFoundNoPlaceBehindWhatDid) {
   glm::dvec3 light(0), through(1), tail(0), weight(0), tail_through(1);
   for (int i = 0; i < 12; ++i) {
     SmallCard card = random_card();
-    if (i < kKept) card.z = 1 + float(i) * 0.1f;
+    if (i < kKept) card.z = 1 + float(i) * 0.1f, card.optical_depth *= 0.1f;
     add({.z = card.z, .optical_depth = card.optical_depth, .color = card.color});
     const double covers = 1 - std::exp(-double(card.optical_depth));
     const glm::dvec3 color = glm::dvec3(card.color) * covers;
