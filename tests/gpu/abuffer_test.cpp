@@ -156,6 +156,32 @@ TEST_F(AbufferTest, MoreFragmentsThanLayersTurnIntoAnAverage) {
   EXPECT_NEAR(exact.g, enough.g, 0.02f);
 }
 
+TEST_F(AbufferTest, UncoveredEmissionIsAddedWhereLayersOverflow) {
+  add({.z = 3, .optical_depth = 0.7f, .color = glm::vec3(0.1f)});
+  for (int i = 0; i < 5; ++i)
+    add({.z = 5 + float(i), .optical_depth = i == 2 ? 0.1f : 0.0f, .emission = {0.5f, 0.25f, 0.125f}});
+  const glm::vec3 exact = draw_cards("reference").linear.pixels[0];
+  for (const char* keep : {"nearest", "first"})
+    for (const bool each_channel : {true, false}) {
+      Map settings = rgb_is(each_channel);
+      settings["keep"] = keep, settings["layers"] = "1";
+      const Drawn drawn = draw_abuffer(settings);
+      EXPECT_EQ(5 * drawn.pixels.size(), drawn.statistics["fragments_in_tail"]);
+      // The one that covers dims three of the others by a tenth where all are sorted.
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(exact[c], drawn.pixels[0][c], 0.15f * exact[c]) << keep;
+    }
+}
+
+TEST_F(AbufferTest, WithoutAtomicsOf64BitsTheFirstCanBeKept) {
+  const gpu::Device lacking({.fault = "missing@shaderBufferInt64Atomics"});
+  const auto method = make_method("abuffer");
+  EXPECT_TRUE(method->missing(device).empty());
+  ASSERT_EQ(1u, method->missing(lacking).size());
+  EXPECT_EQ("shaderBufferInt64Atomics, or keep=first", method->missing(lacking)[0]);
+  set_parameter(*method, "keep", "first");
+  EXPECT_TRUE(method->missing(lacking).empty());
+}
+
 TEST_F(AbufferTest, EightBitsOfTransmittanceLoseThinSmoke) {
   // Each blocks 1/600 of white: 255 of 255 pass.
   scene.light.horizon = glm::vec3(1.0f);

@@ -1,9 +1,7 @@
 // The exact reference against the same fragments composited on the CPU in double precision.
-#include "shaders/methods/fragment_list/fragment_list.h"
-
-#include <algorithm>
 #include <glm/gtc/packing.hpp>
 
+#include "tests/gpu/fragment_lists.h"
 #include "tests/gpu/gpu_test.h"
 
 namespace plume {
@@ -16,9 +14,7 @@ class ReferenceTest : public GpuTest {
   struct Captured {
     DrawnPicture picture;
     std::vector<glm::vec4> background;  // linear
-    std::vector<uint32_t> heads;
-    std::vector<FragmentNode> nodes;
-    uint32_t count;
+    FragmentLists lists;
   };
 
   Captured capture(const std::string& scene, uint32_t tick, glm::uvec2 size) {
@@ -26,23 +22,14 @@ class ReferenceTest : public GpuTest {
     const Targets targets(device, size);
     stage.go_to(tick, size);
     MethodInstance reference = instance("reference");
-    Captured result;
-    result.picture = draw(stage, targets, reference);
-    result.heads = gpu::read<uint32_t>(device, reference.resources.buffer("heads"));
-    result.nodes = gpu::read<FragmentNode>(device, reference.resources.buffer("nodes"));
-    result.count = gpu::read<shared::FragmentPool>(device, reference.resources.buffer("pool"))[0].count;
+    DrawnPicture picture = draw(stage, targets, reference);
+    Captured result{.picture = std::move(picture), .background = {}, .lists = {device, reference.resources}};
     for (const uint64_t texel : gpu::read<uint64_t>(device, targets.opaque_color))
       result.background.push_back(glm::unpackHalf4x16(texel));
     return result;
   }
 
-  /// The pixel's fragments in any order: the composite sorts for itself, whatever the GPU left in the links.
-  static std::vector<FragmentNode> fragments(const Captured& c, size_t pixel) {
-    std::vector<FragmentNode> list;
-    for (uint32_t n = c.heads[pixel]; n != shared::kListEnd; n = c.nodes[n].next) list.push_back(c.nodes[n]);
-    return list;
-  }
-
+  /// Sorts for itself, whatever the GPU left in the links.
   static glm::dvec3 composite(std::vector<FragmentNode> list, glm::dvec3 background) {
     std::ranges::sort(list, [](const FragmentNode& a, const FragmentNode& b) {
       return a.depth != b.depth ? a.depth < b.depth : a.id < b.id;
@@ -62,8 +49,8 @@ TEST_F(ReferenceTest, EqualsTheCompositeInDoublePrecisionOnTheStreet) {
   const Captured c = capture("street", street.default_tick, size);
   double brightest = 0, worst = 0;
   size_t captured = 0, deepest = 0;
-  for (size_t pixel = 0; pixel < c.heads.size(); ++pixel) {
-    const auto list = fragments(c, pixel);
+  for (size_t pixel = 0; pixel < c.lists.heads.size(); ++pixel) {
+    const auto list = c.lists.of(pixel);
     captured += list.size();
     deepest = std::max(deepest, list.size());
     const glm::dvec3 exact = composite(list, c.background[pixel]);
@@ -72,7 +59,7 @@ TEST_F(ReferenceTest, EqualsTheCompositeInDoublePrecisionOnTheStreet) {
       worst = std::max(worst, std::abs(exact[k] - double(c.picture.linear.pixels[pixel][k])));
     }
   }
-  EXPECT_EQ(c.count, captured) << "fragments were lost";
+  EXPECT_EQ(c.lists.count, captured) << "fragments were lost";
   EXPECT_GT(deepest, 30u) << "the scene is too thin to prove anything";
   EXPECT_LT(worst, 1e-3 * brightest);
   RecordProperty("worst_over_brightest", std::to_string(worst / brightest));
@@ -82,8 +69,8 @@ TEST_F(ReferenceTest, EqualsTheCompositeInDoublePrecisionOnTheStreet) {
 
 TEST_F(ReferenceTest, ListsAreLeftSortedByDepthThenCard) {
   const Captured c = capture("street", 150, {160, 90});
-  for (size_t pixel = 0; pixel < c.heads.size(); ++pixel) {
-    const auto list = fragments(c, pixel);
+  for (size_t pixel = 0; pixel < c.lists.heads.size(); ++pixel) {
+    const auto list = c.lists.of(pixel);
     for (size_t i = 1; i < list.size(); ++i)
       ASSERT_TRUE(list[i - 1].depth < list[i].depth ||
                   (list[i - 1].depth == list[i].depth && list[i - 1].id < list[i].id));

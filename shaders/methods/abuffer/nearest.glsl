@@ -1,5 +1,6 @@
-// Keeps the nearest: each layer takes the minimum of its key and hands the greater one on, so that whatever the order of draws, the
-// layers end as the nearest fragments, front to back. Keys only ever fall, so a layer seen in front stays in front: it needs no atomic.
+// Keeps the nearest: each layer takes the minimum of its key and hands the greater one on, so that whatever the order of draws,
+// the layers end as the nearest fragments, front to back. Keys only ever fall, so a layer seen in front stays in front: passing it
+// needs no atomic.
 #ifndef PLUME_ABUFFER_NEAREST_GLSL
 #define PLUME_ABUFFER_NEAREST_GLSL
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require

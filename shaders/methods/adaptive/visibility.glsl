@@ -1,6 +1,6 @@
-// Adaptive transparency's visibility of a pixel: what passes from a depth to the camera, as a step function of kNodes nodes, each of
-// a depth and of the transmittance behind it. Inserting a fragment adds a node and dims all behind it. When there are too many, the
-// node goes whose removal changes the integral of the function least,
+// Adaptive transparency's visibility of a pixel: what passes from a depth to the camera, as a step function of kNodes nodes, each
+// of a depth and of the transmittance behind it. Inserting a fragment adds a node and dims all behind it. When there are too many,
+// the node goes whose removal changes the integral of the function least,
 //   error_i = (z_i - z_{i-1}) (T_{i-1} - T_i),
 // and its step moves to the node in front of it: visibility is underestimated between the two, never overestimated. The first and
 // the last node stay, so what the whole pixel lets through remains exact.
