@@ -9,6 +9,7 @@
   X(adaptive)            \
   X(sorted)              \
   X(wboit)               \
+  X(moments)             \
   X(vboit)               \
   X(avboit)
 

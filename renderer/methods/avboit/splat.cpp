@@ -55,9 +55,9 @@ void record_splat(const Picture& picture, const Plan& plan) {
   const gpu::Binding volume{"VolumeBlock", buffer("volume")}, warp{"WarpTable", buffer("warp")};
 
   picture.frame.pass("farthest", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/farthest.comp"),
-                  {volume, {"opaque_depth", &picture.opaque_depth}, {"farthest", &farthest}}, 0u,
-                  {gpu::groups(v.cells.x, 8), gpu::groups(v.cells.y, 8), 1});
+    pass.dispatch(pass.pipelines().compute("surface/farthest.comp"),
+                  {{"opaque_depth", &picture.opaque_depth}, {"farthest", &farthest}},
+                  glm::uvec3(v.cells, v.divisor), {gpu::groups(v.cells.x, 8), gpu::groups(v.cells.y, 8), 1});
   });
 
   const gpu::Constants common{plan.settings.linear_splat ? 1u : 0u, plan.settings.samples == 0 ? 1u : 4u,

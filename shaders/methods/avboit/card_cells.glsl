@@ -1,7 +1,7 @@
 // The cells of the volume that a card touches or that filtering reads for it.
 #ifndef PLUME_AVBOIT_CARD_CELLS_GLSL
 #define PLUME_AVBOIT_CARD_CELLS_GLSL
-#include "methods/avboit/bounds.glsl"
+#include "surface/bounds.glsl"
 #include "methods/avboit/volume.h"
 
 const vec2 kCorners[4] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, 1));

@@ -2,7 +2,7 @@
 // slice, no guards: they are added when the resolution is known. Behind it as many bits of slices to be set apart.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/avboit/bounds.glsl"
+#include "surface/bounds.glsl"
 #include "methods/avboit/depth_curve.glsl"
 
 layout(local_size_x = 256) in;

@@ -1,7 +1,7 @@
 // AVBOIT, sources: where the extinction of each card goes, in the order of submission, for a stable sort into one draw each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/avboit/bounds.glsl"
+#include "surface/bounds.glsl"
 #include "methods/avboit/card_class.h"
 #include "methods/avboit/sharp.glsl"
 

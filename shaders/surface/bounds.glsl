@@ -1,6 +1,6 @@
 // Conservative bounds of a card, as the camera sees it.
-#ifndef PLUME_AVBOIT_BOUNDS_GLSL
-#define PLUME_AVBOIT_BOUNDS_GLSL
+#ifndef PLUME_SURFACE_BOUNDS_GLSL
+#define PLUME_SURFACE_BOUNDS_GLSL
 #include "shared/card.h"
 #include "shared/view.h"
 

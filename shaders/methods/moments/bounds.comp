@@ -1,0 +1,31 @@
+// Moments, depth bounds: the nearest and the farthest depth that any card on the screen has anywhere.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "methods/moments/depth_warp.h"
+#include "surface/bounds.glsl"
+
+layout(local_size_x = 256) in;
+layout(scalar, binding = 0) uniform View { ViewData view; };
+layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
+layout(scalar, binding = 8) buffer Ends { DepthBounds bounds; };
+layout(push_constant) uniform Push { uint count; };
+
+shared uint not_nearest, farthest;
+
+void main() {
+  if (gl_LocalInvocationIndex == 0u) not_nearest = farthest = 0u;
+  barrier();
+  const uint id = gl_GlobalInvocationID.x;
+  if (id < count) {
+    const Bounds b = bounds_of(cards[id], view);
+    if (b.seen) {
+      atomicMax(not_nearest, ~floatBitsToUint(b.nearest));
+      atomicMax(farthest, floatBitsToUint(b.farthest));
+    }
+  }
+  barrier();
+  if (gl_LocalInvocationIndex == 0u && farthest != 0u) {
+    atomicMax(bounds.not_nearest, not_nearest);
+    atomicMax(bounds.farthest, farthest);
+  }
+}

@@ -1,0 +1,19 @@
+// Moments, second pass: every fragment weighted by the transmittance that the moments of its pixel tell,
+//   image = (sum C a T) (1 - prod(1 - a)) / (sum a T) + background prod(1 - a).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "surface/shade.glsl"
+#include "methods/moments/transmittance.glsl"
+#include "methods/weighted/weighted.glsl"
+
+// All weights of a pixel may be small, for T in front of the first of several opaque fragments is already exp(-beta w_0 b0). A common factor
+// cancels in the fraction, whose denominator has a floor.
+const float kWeightScale = exp2(64.0);
+
+void main() {
+  const Fragment f = shade();
+  bool unsure;
+  const vec3 t = transmittance_at(shaded_pixel(), f.depth, unsure);
+  write_weighted(f, t * kWeightScale, t, kRgb != 0u);
+  emission.a = unsure ? 1.0 : 0.0;   // counted
+}
