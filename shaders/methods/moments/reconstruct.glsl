@@ -24,177 +24,172 @@ layout(constant_id = 4) const float kOverestimation = 0.25;
 const float kLeastAbsorbance = 0.001;   // published: what less dims is not worth looking for
 const float kLeastPivot = 3e-7;         // of its diagonal: a few roundings
 
-// s[1 .. 2 kNodes] and the means that the interpolating function's coefficients are multiplied by.
-void seen_from_depth(float b[8], float w, out float s[9], out float means[4]) {
-  s[0] = 1.0;
-  for (uint k = 0u; k < 2u * kNodes; ++k) s[k + 1u] = b[k];
-  for (uint round = 1u; round <= 2u * kNodes; ++round)
-    for (uint k = 2u * kNodes; k >= round; --k) s[k] -= w * s[k - 1u];
-  for (uint k = 0u; k < kNodes; ++k) means[k] = s[kNodes - k];
+// s_1 .. s_8 and the means of 1, y, y^2, y^3 under the weight that the interpolated values are scaled by. Written out, because arrays
+// indexed in loops are slow where a compiler leaves them in memory; what a kind has no use for is not computed.
+struct Seen {
+  vec4 near;   // s_1 .. s_4
+  vec4 far;    // s_5 .. s_8
+  vec4 means;
+};
+
+// By one factor x - w after the other: binomial coefficients would take two more digits.
+Seen seen_from_depth(vec4 b, vec4 c, float w) {   // b: moments 1 to 4, c: 5 to 8
+  Seen s = Seen(b, c, vec4(0.0));
+  s.far -= w * vec4(s.near.w, s.far.xyz);
+  s.near -= w * vec4(1.0, s.near.xyz);
+  s.far -= w * vec4(s.near.w, s.far.xyz);
+  s.near.yzw -= w * s.near.xyz;
+  s.far -= w * vec4(s.near.w, s.far.xyz);
+  s.near.zw -= w * s.near.yz;
+  s.far -= w * vec4(s.near.w, s.far.xyz);
+  s.near.w -= w * s.near.z;
+  s.far -= w * vec4(s.near.w, s.far.xyz);
+  s.far.yzw -= w * s.far.xyz;
+  s.far.zw -= w * s.far.yz;
+  s.far.w -= w * s.far.z;
+  s.means = kNodes == 2u ? s.near.yxxx : kNodes == 3u ? s.near.zyxx : s.near.wzyx;
+  return s;
 }
 
-void seen_from_phase(float b[8], float p, out float s[9], out float means[4]) {
-  const vec2 step = vec2(cos(p), -sin(p));
-  vec2 by = step;
-  float c[5], d[5];   // means of the cosine and sine of k times the angle from p
-  for (uint k = 1u; k <= kNodes; ++k) {
-    const vec2 turned = turn(vec2(b[2u * k - 2u], b[2u * k - 1u]), by);
-    c[k] = turned.x;
-    d[k] = turned.y;
-    by = turn(by, step);
-  }
-  s[0] = 0.0;   // not used
+Seen seen_from_phase(vec4 b, vec4 c, float p) {
+  const vec2 once = vec2(cos(p), -sin(p)), twice = turn(once, once);
+  const vec2 e = turn(b.xy, once), f = turn(b.zw, twice);   // means of (cos, sin) of the angle from p, and of twice that
+  Seen s;
+  s.means = vec4(3.0 - 4.0 * e.x + f.x, 2.0 * e.y - f.y, 1.0 - f.x, 2.0 * e.y + f.y) / 8.0;
   if (kNodes == 2u) {
-    s[1] = (2.0 * d[1] + d[2]) / 8.0;
-    s[2] = (1.0 - c[2]) / 8.0;
-    s[3] = (2.0 * d[1] - d[2]) / 8.0;
-    s[4] = (3.0 - 4.0 * c[1] + c[2]) / 8.0;
-    means[0] = 0.5 - 0.5 * c[1];
-    means[1] = 0.5 * d[1];
-    return;
+    s.near = s.means.wzyx;
+    s.far = vec4(0.0);
+    s.means = vec4(0.5 - 0.5 * e.x, 0.5 * e.y, 0.0, 0.0);
+    return s;
   }
-  means[0] = (3.0 - 4.0 * c[1] + c[2]) / 8.0;
-  means[1] = (2.0 * d[1] - d[2]) / 8.0;
-  means[2] = (1.0 - c[2]) / 8.0;
-  means[3] = (2.0 * d[1] + d[2]) / 8.0;
+  const vec2 g = turn(c.xy, turn(twice, once));
   if (kNodes == 3u) {
-    s[1] = (5.0 * d[1] + 4.0 * d[2] + d[3]) / 32.0;
-    s[2] = (2.0 + c[1] - 2.0 * c[2] - c[3]) / 32.0;
-    s[3] = (3.0 * d[1] - d[3]) / 32.0;
-    s[4] = (2.0 - c[1] - 2.0 * c[2] + c[3]) / 32.0;
-    s[5] = (5.0 * d[1] - 4.0 * d[2] + d[3]) / 32.0;
-    s[6] = (10.0 - 15.0 * c[1] + 6.0 * c[2] - c[3]) / 32.0;
+    s.near = vec4(5.0 * e.y + 4.0 * f.y + g.y, 2.0 + e.x - 2.0 * f.x - g.x, 3.0 * e.y - g.y, 2.0 - e.x - 2.0 * f.x + g.x) / 32.0;
+    s.far = vec4(5.0 * e.y - 4.0 * f.y + g.y, 10.0 - 15.0 * e.x + 6.0 * f.x - g.x, 0.0, 0.0) / 32.0;
   } else {
-    s[1] = (14.0 * d[1] + 14.0 * d[2] + 6.0 * d[3] + d[4]) / 128.0;
-    s[2] = (5.0 + 4.0 * c[1] - 4.0 * c[2] - 4.0 * c[3] - c[4]) / 128.0;
-    s[3] = (6.0 * d[1] + 2.0 * d[2] - 2.0 * d[3] - d[4]) / 128.0;
-    s[4] = (3.0 - 4.0 * c[2] + c[4]) / 128.0;
-    s[5] = (6.0 * d[1] - 2.0 * d[2] - 2.0 * d[3] + d[4]) / 128.0;
-    s[6] = (5.0 - 4.0 * c[1] - 4.0 * c[2] + 4.0 * c[3] - c[4]) / 128.0;
-    s[7] = (14.0 * d[1] - 14.0 * d[2] + 6.0 * d[3] - d[4]) / 128.0;
-    s[8] = (35.0 - 56.0 * c[1] + 28.0 * c[2] - 8.0 * c[3] + c[4]) / 128.0;
+    const vec2 h = turn(c.zw, turn(twice, twice));
+    s.near = vec4(14.0 * e.y + 14.0 * f.y + 6.0 * g.y + h.y, 5.0 + 4.0 * e.x - 4.0 * f.x - 4.0 * g.x - h.x,
+                  6.0 * e.y + 2.0 * f.y - 2.0 * g.y - h.y, 3.0 - 4.0 * f.x + h.x) / 128.0;
+    s.far = vec4(6.0 * e.y - 2.0 * f.y - 2.0 * g.y + h.y, 5.0 - 4.0 * e.x - 4.0 * f.x + 4.0 * g.x - h.x,
+                 14.0 * e.y - 14.0 * f.y + 6.0 * g.y - h.y, 35.0 - 56.0 * e.x + 28.0 * f.x - 8.0 * g.x + h.x) / 128.0;
   }
+  return s;
 }
 
-// Coefficients a_1 .. a_n of q(y), by Cholesky's decomposition without roots. True where a pivot had to be kept up.
-bool solve(float s[9], out float a[4]) {
-  float lower[4][4], pivot[4];
-  bool kept_up = false;
-  for (uint i = 0u; i < kNodes; ++i) {
-    const float diagonal = s[2u * i + 2u];
-    pivot[i] = diagonal;
-    for (uint k = 0u; k < i; ++k) pivot[i] -= lower[i][k] * lower[i][k] * pivot[k];
-    const float least = max(diagonal * kLeastPivot, 1e-30);
-    kept_up = kept_up || pivot[i] < least;
-    pivot[i] = max(pivot[i], least);
-    for (uint j = i + 1u; j < kNodes; ++j) {
-      lower[j][i] = s[i + j + 2u];
-      for (uint k = 0u; k < i; ++k) lower[j][i] -= lower[j][k] * lower[i][k] * pivot[k];
-      lower[j][i] /= pivot[i];
-    }
-    a[i] = -s[i + 1u];
-    for (uint k = 0u; k < i; ++k) a[i] -= lower[i][k] * a[k];
+// Keeps a pivot from vanishing beside the diagonal that it is what is left of.
+float kept_up(float pivot, float diagonal, inout bool unsure) {
+  const float least = max(diagonal * kLeastPivot, 1e-30);
+  unsure = unsure || !(pivot >= least);
+  return max(pivot, least);
+}
+
+// Coefficients a_1 .. a_n of q(y), by Cholesky's decomposition without roots.
+vec4 solve(Seen s, out bool unsure) {
+  unsure = false;
+  const vec4 d = vec4(s.near.y, s.near.w, s.far.y, s.far.w);   // the diagonal
+  const float p0 = kept_up(d.x, d.x, unsure);
+  const vec3 l0 = vec3(s.near.zw, s.far.x) / p0;
+  const float p1 = kept_up(d.y - l0.x * s.near.z, d.y, unsure);
+  vec4 x = vec4(-s.near.x, -s.near.y, -s.near.z, -s.near.w);
+  x.y -= l0.x * x.x;
+  if (kNodes == 2u) {
+    const float a = x.y / p1;
+    return vec4(x.x / p0 - l0.x * a, a, 0.0, 0.0);
   }
-  for (uint i = 0u; i < kNodes; ++i) a[i] /= pivot[i];
-  for (uint i = kNodes - 1u; i-- > 0u;)
-    for (uint k = i + 1u; k < kNodes; ++k) a[i] -= lower[k][i] * a[k];
-  return kept_up;
+  const vec2 left1 = s.far.xy - l0.yz * s.near.z, l1 = left1 / p1;
+  const float p2 = kept_up(d.z - l0.y * s.near.w - l1.x * left1.x, d.z, unsure);
+  x.z -= l0.y * x.x + l1.x * x.y;
+  if (kNodes == 3u) {
+    const float a = x.z / p2, b = x.y / p1 - l1.x * a;
+    return vec4(x.x / p0 - l0.x * b - l0.y * a, b, a, 0.0);
+  }
+  const float left2 = s.far.z - l0.z * s.near.w - l1.y * left1.x, l2 = left2 / p2;
+  const float p3 = kept_up(d.w - l0.z * s.far.x - l1.y * left1.y - l2 * left2, d.w, unsure);
+  x.w -= l0.z * x.x + l1.y * x.y + l2 * x.z;
+  const float a = x.w / p3, b = x.z / p2 - l2 * a, c = x.y / p1 - l1.x * b - l1.y * a;
+  return vec4(x.x / p0 - l0.x * c - l0.y * b - l0.z * a, c, b, a);
 }
 
-// The roots of y^3 + a y^2 + b y + c, all of them real: three cosines.
-vec3 cubic_roots(float a, float b, float c) {
-  const float shift = a / 3.0, third_p = b / 3.0 - shift * shift;
-  const float half_q = 0.5 * (shift * (2.0 * shift * shift - b) + c);
-  const float m = sqrt(max(-third_p, 0.0));
-  const float angle = acos(clamp(-half_q / max(m * m * m, 1e-37), -1.0, 1.0)) / 3.0;
-  return 2.0 * m * cos(angle - vec3(0.0, 2.0, 4.0) * (kPi / 3.0)) - shift;
+// The roots of y^3 + a.x y^2 + a.y y + a.z, all of them real: three cosines.
+vec3 cubic_roots(vec3 a) {
+  const float shift = a.x / 3.0, p = shift * shift - a.y / 3.0;
+  const float q = -0.5 * (shift * (2.0 * shift * shift - a.y) + a.z);
+  const float angle = atan(sqrt(max(p * p * p - q * q, 0.0)), q) / 3.0;
+  return 2.0 * sqrt(max(p, 0.0)) * cos(angle - vec3(0.0, 2.0, 4.0) * (kPi / 3.0)) - shift;
 }
 
-// The roots of y^4 + a y^3 + b y^2 + c y + d, all of them real: half sums of the roots of Euler's resolvent, which are squares.
-vec4 quartic_roots(float a, float b, float c, float d) {
-  const float h = 0.25 * a, hh = h * h;
-  const float p = b - 6.0 * hh, q = c - 2.0 * b * h + 8.0 * h * hh, r = d - c * h + b * hh - 3.0 * hh * hh;
-  vec3 u = sqrt(max(cubic_roots(2.0 * p, p * p - 4.0 * r, -q * q), vec3(0.0)));
+// The roots of y^4 + a.x y^3 + a.y y^2 + a.z y + a.w, all of them real: half sums of what Euler's resolvent has the squares of.
+vec4 quartic_roots(vec4 a) {
+  const float h = 0.25 * a.x, hh = h * h;
+  const float p = a.y - 6.0 * hh, q = a.z - 2.0 * a.y * h + 8.0 * h * hh, r = a.w - a.z * h + a.y * hh - 3.0 * hh * hh;
+  vec3 u = sqrt(max(cubic_roots(vec3(2.0 * p, p * p - 4.0 * r, -q * q)), vec3(0.0)));
   if (q > 0.0) u.z = -u.z;   // the product of the three is -q
   return 0.5 * vec4(u.x + u.y + u.z, u.x - u.y - u.z, u.y - u.x - u.z, u.z - u.x - u.y) - h;
 }
 
-void roots(float a[4], out float y[4]) {
+// 0 where the denominator is.
+vec4 divided(vec4 by, vec4 of) { return mix(of / by, vec4(0.0), equal(by, vec4(0.0))); }
+float divided(float by, float of) { return by != 0.0 ? of / by : 0.0; }
+
+// Those of q(y), refined by one step of Weierstrass: all at once, so that no two of them run into one.
+vec4 roots(vec4 a) {
   if (kNodes == 2u) {
-    const float h = -0.5 * a[0], spread = sqrt(max(h * h - a[1], 0.0));
-    y[0] = h < 0.0 ? h - spread : h + spread;
-    y[1] = y[0] != 0.0 ? a[1] / y[0] : 0.0;
-    return;
+    const float h = -0.5 * a.x, spread = sqrt(max(h * h - a.y, 0.0)), larger = h < 0.0 ? h - spread : h + spread;
+    return vec4(larger, divided(larger, a.y), 0.0, 0.0);
   }
   if (kNodes == 3u) {
-    const vec3 found = cubic_roots(a[0], a[1], a[2]);
-    for (uint i = 0u; i < 3u; ++i) y[i] = found[i];
-  } else {
-    const vec4 found = quartic_roots(a[0], a[1], a[2], a[3]);
-    for (uint i = 0u; i < 4u; ++i) y[i] = found[i];
+    const vec3 y = cubic_roots(a.xyz);
+    const vec3 value = ((y + a.x) * y + a.y) * y + a.z, apart = (y - y.yzx) * (y - y.zxy);
+    return vec4(y, 0.0) - divided(vec4(apart, 0.0), vec4(value, 0.0));
   }
-  // One step of Weierstrass: all roots at once, so that no two of them run into one.
-  float refined[4];
-  for (uint i = 0u; i < kNodes; ++i) {
-    float value = y[i] + a[0], apart = 1.0;
-    for (uint k = 1u; k < kNodes; ++k) value = value * y[i] + a[k];
-    for (uint k = 0u; k < kNodes; ++k)
-      if (k != i) apart *= y[i] - y[k];
-    refined[i] = apart != 0.0 ? y[i] - value / apart : y[i];
-  }
-  for (uint i = 0u; i < kNodes; ++i) y[i] = refined[i];
+  const vec4 y = quartic_roots(a);
+  const vec4 value = (((y + a.x) * y + a.y) * y + a.z) * y + a.w, apart = (y - y.yzwx) * (y - y.zwxy) * (y - y.wxyz);
+  return y - divided(apart, value);
 }
 
 // 1 where the place of a root is in front of the depth asked about, 0 where it is behind. On the circle "in front" ends somewhere in
 // the zone that no fragment is in, where it rises evenly, as published.
-float in_front(float y, float p) {
-  if (kPower) return y < 0.0 ? 1.0 : 0.0;
-  const float angle = p + 2.0 * atan(1.0, y);
-  return angle >= 2.0 * kPi ? 1.0 : clamp((angle - 2.0 * kPi) / kWrappingZone + 1.0, 0.0, 1.0);
+vec4 in_front(vec4 y, float p) {
+  if (kPower) return vec4(lessThan(y, vec4(0.0)));
+  const vec4 angle = p + 2.0 * atan(vec4(1.0), y);
+  return mix(clamp((angle - 2.0 * kPi) / kWrappingZone + 1.0, 0.0, 1.0), vec4(1.0), greaterThanEqual(angle, vec4(2.0 * kPi)));
+}
+
+// What the interpolating function is multiplied by, so that it is within the span of the moments.
+vec4 scale_of(vec4 y) {
+  const vec4 square = kPower ? y * y : 1.0 + y * y;
+  if (kNodes == 2u) return square;
+  return square * (kNodes == 3u && kPower ? y : square);
+}
+
+// Mean of the polynomial in y that has these values at these places, by Newton's divided differences.
+float mean_of_interpolation(vec4 y, vec4 v, vec4 means) {
+  const vec3 first = vec3(divided(y.y - y.x, v.y - v.x), kNodes > 2u ? divided(y.z - y.y, v.z - v.y) : 0.0, kNodes > 3u ? divided(y.w - y.z, v.w - v.z) : 0.0);
+  const vec3 after1 = means.yzw - y.x * means.xyz;
+  float mean = v.x * means.x + first.x * after1.x;
+  if (kNodes == 2u) return mean;
+  const vec2 second = vec2(divided(y.z - y.x, first.y - first.x), kNodes > 3u ? divided(y.w - y.y, first.z - first.y) : 0.0);
+  const vec2 after2 = after1.yz - y.y * after1.xy;
+  mean += second.x * after2.x;
+  if (kNodes == 3u) return mean;
+  return mean + divided(y.w - y.x, second.y - second.x) * (after2.y - y.z * after2.x);
 }
 
 // Share of all absorbance that lies in front of warped depth w; of what lies there itself, kOverestimation. `low` and `high` are the
 // moments divided by b0.
 float share_in_front(vec4 low, vec4 high, float w, out bool unsure) {
+  const float p = kPower ? 0.0 : phase_of(w);
+  Seen seen;
   if (kPower) {
     const vec4 wide_low = kNodes == 2u ? vec4(0.0, 0.375, 0.0, 0.375) : kNodes == 3u ? vec4(0.0, 0.48, 0.0, 0.451) : vec4(0.0, 0.75, 0.0, 0.67667);
     const vec4 wide_high = kNodes == 3u ? vec4(0.0, 0.45, 0.0, 0.0) : vec4(0.0, 0.63, 0.0, 0.60030);
-    low = mix(low, wide_low, kBias);
-    high = mix(high, wide_high, kBias);
-  } else {   // evenly around the circle
-    low *= 1.0 - kBias;
-    high *= 1.0 - kBias;
+    seen = seen_from_depth(mix(low, wide_low, kBias), mix(high, wide_high, kBias), w);
+  } else {
+    seen = seen_from_phase(low * (1.0 - kBias), high * (1.0 - kBias), p);   // evenly around the circle
   }
-  float b[8] = float[8](low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w);
-  float s[9], means[4], a[4], y[4], value[4], coefficient[4];
-  const float p = phase_of(w);
-  if (kPower) seen_from_depth(b, w, s, means);
-  else seen_from_phase(b, p, s, means);
-  unsure = solve(s, a);
-  roots(a, y);
-  for (uint i = 0u; i < kNodes; ++i) {
-    const float square = kPower ? y[i] * y[i] : 1.0 + y[i] * y[i];
-    float scale = square;
-    if (kNodes == 4u || (kNodes == 3u && !kPower)) scale *= square;
-    if (kNodes == 3u && kPower) scale *= y[i];
-    value[i] = (in_front(y[i], p) - kOverestimation) * scale;
-  }
-  // Newton's divided differences, then the coefficients of 1, y, y^2, ...
-  for (uint k = 1u; k < kNodes; ++k)
-    for (uint i = kNodes - 1u; i >= k; --i) {
-      const float apart = y[i] - y[i - k];
-      value[i] = apart != 0.0 ? (value[i] - value[i - 1u]) / apart : 0.0;
-    }
-  coefficient[0] = value[kNodes - 1u];
-  for (uint k = 1u; k < kNodes; ++k) {
-    const uint node = kNodes - 1u - k;
-    coefficient[k] = coefficient[k - 1u];
-    for (uint i = k - 1u; i > 0u; --i) coefficient[i] = coefficient[i - 1u] - y[node] * coefficient[i];
-    coefficient[0] = value[node] - y[node] * coefficient[0];
-  }
-  float share = kOverestimation;
-  for (uint k = 0u; k < kNodes; ++k) share += coefficient[k] * means[k];
-  if (isnan(share) || isinf(share)) {   // everything is in one place: that of the fragment itself
+  const vec4 y = roots(solve(seen, unsure));
+  const float share = kOverestimation + mean_of_interpolation(y, (in_front(y, p) - kOverestimation) * scale_of(y), seen.means);
+  if (isnan(share) || isinf(share)) {   // as if everything were in one place, that of the fragment itself
     unsure = true;
     return kOverestimation;
   }
