@@ -18,7 +18,8 @@ const float kMostAbsorbance = 10.0;              // published: opaque fragments 
 
 vec3 absorbance(vec3 transmittance) { return -log(max(transmittance, vec3(exp(-kMostAbsorbance)))); }
 
-float warped(DepthWarp warp, float depth) { return clamp(log2(depth) * warp.scale + warp.offset, -1.0, 1.0); }
+// Beyond the bounds there may be depths that are asked about, as far as the circle has room for them.
+float warped(DepthWarp warp, float depth) { return clamp(log2(depth) * warp.scale + warp.offset, -1.05, 1.05); }
 
 float phase_of(float w) { return (w + 1.0) * (kPi - 0.5 * kWrappingZone); }
 
