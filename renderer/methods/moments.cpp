@@ -5,6 +5,8 @@
 //
 // Limits: a few moments smooth out steps, so near-opaque surfaces bleed; every fragment moves all of them, so
 // a far one changes the near ones. At lower resolutions what one texel sums is seen by its neighbours.
+#include <fmt/format.h>
+
 #include <bit>
 
 #include "renderer/methods/methods.h"
@@ -21,6 +23,10 @@ constexpr uint32_t kNodes[] = {2, 3, 4, 2, 3, 4};
 constexpr std::string_view kResolutions[] = {"1/1", "1/2", "1/4", "1/8"};
 constexpr std::string_view kBounds[] = {"cards", "planes"};
 
+/// Differences of moments are small: 16 bits would leave nothing of them.
+constexpr auto kOne = vk::Format::eR32Sfloat, kTwo = vk::Format::eR32G32Sfloat,
+               kFour = vk::Format::eR32G32B32A32Sfloat;
+
 constexpr const char* kLow[] = {"low_r", "low_g", "low_b"};
 constexpr const char* kHigh[] = {"high_r", "high_g", "high_b"};
 
@@ -33,7 +39,7 @@ class Moments final : public Method {
             .transmission = "RGB where something is coloured; rgb=false: the mean of RGB",
             .emission = "in the weighted average where covered; times the transmittance in front where not",
             .limits = "near-opaque surfaces bleed; far layers change near ones",
-            .street_rmse = 0.1};
+            .street_rmse = 0.039};
   }
 
   void visit(ParameterVisitor& visitor) override {
@@ -60,17 +66,30 @@ class Moments final : public Method {
                    "cards");
   }
 
+  std::vector<std::string> missing(const gpu::Device& device) const override {
+    std::vector<std::string> lacking;
+    for (const vk::Format format : {kOne, kTwo, kFour}) {
+      const auto features = device.physical().getFormatProperties(format).optimalTilingFeatures;
+      if (!(features & vk::FormatFeatureFlagBits::eColorAttachmentBlend))
+        lacking.push_back(fmt::format("blending into {}", vk::to_string(format)));
+    }
+    const uint32_t targets = 1 + (rgb_ ? 3 : 1) * (nodes() > 2 ? 2 : 1);
+    if (device.limits().maxColorAttachments < targets)
+      lacking.push_back(fmt::format("{} colour attachments, or rgb=false", targets));
+    return lacking;
+  }
+
   Needs needs(glm::uvec2, const Transparents& transparents) const override {
     const uint32_t channels = each_channel(transparents) ? 3 : 1;
     Needs needs;
     const auto add = [&](const char* name, vk::Format format) {
       needs.images.push_back({.name = name, .format = format, .usage = kTargetUsage, .divisor = divisor()});
     };
-    add("b0", channels == 3 ? vk::Format::eR32G32B32A32Sfloat : vk::Format::eR32Sfloat);
+    add("b0", channels == 3 ? kFour : kOne);
     for (uint32_t c = 0; c < channels; ++c) {
-      add(kLow[c], vk::Format::eR32G32B32A32Sfloat);
-      if (nodes() == 3) add(kHigh[c], vk::Format::eR32G32Sfloat);
-      if (nodes() == 4) add(kHigh[c], vk::Format::eR32G32B32A32Sfloat);
+      add(kLow[c], kFour);
+      if (nodes() == 3) add(kHigh[c], kTwo);
+      if (nodes() == 4) add(kHigh[c], kFour);
     }
     if (divisor() > 1)
       needs.images.push_back({.name = "farthest",
@@ -82,6 +101,8 @@ class Moments final : public Method {
     weighted(transparents).add_needs(needs);
     return needs;
   }
+
+  Outputs outputs() const override { return {.distortion = true, .surface = true}; }
 
   void record(const Picture& picture) override {
     record_depth_warp(picture);
@@ -98,6 +119,7 @@ class Moments final : public Method {
                                        .bindings = bindings(picture)});
     });
     sums.record_resolve(picture);
+    record_outputs(picture);
   }
 
   void probe(const Picture& picture, const Probe& probe) const override {
@@ -198,6 +220,33 @@ class Moments final : public Method {
                                  .bindings = {{"Warp", &resources.buffer("warp")}},
                                  .covered = glm::vec2(picture.size) / glm::vec2(size * divisor())});
     });
+  }
+
+  void record_outputs(const Picture& picture) const {
+    const auto draw = [&](const char* pass_name, const gpu::Image& output, Transparents::Style style) {
+      style.targets = {{.image = &output, .blend = gpu::Blend::kAdd, .clear = {{0, 0, 0, 0}}}};
+      style.depth_test = style.opaque_depth = &picture.opaque_depth;
+      style.area = picture.area();
+      style.constants = constants(picture.transparents);
+      std::ranges::move(bindings(picture), std::back_inserter(style.bindings));
+      picture.frame.pass(pass_name, [&](gpu::Pass& pass) { picture.transparents.draw(pass, style); });
+    };
+    if (picture.distortion)
+      draw("distortion", *picture.distortion,
+           {.fragment = "methods/moments/haze.frag",
+            .targets = {},
+            .vertex = "surface/haze.vert",
+            .source = Source::kHaze,
+            .constants = {},
+            .bindings = {}});
+    const bool each = each_channel(picture.transparents);
+    if (picture.surface)
+      draw("surface", *picture.surface,
+           {.fragment = "methods/moments/surface.frag",
+            .targets = {},
+            .constants = {},
+            .bindings = {{"through", &picture.resources.image("through")},
+                         {"norm", &picture.resources.image(each ? "norm" : "accum")}}});
   }
 
   int kind_ = 0, resolution_ = 0, bounds_ = 0;

@@ -6,10 +6,6 @@
 #include "methods/moments/transmittance.glsl"
 #include "methods/weighted/weighted.glsl"
 
-// All weights of a pixel may be small, for T in front of the first of several opaque fragments is already exp(-beta w_0 b0). A common factor
-// cancels in the fraction, whose denominator has a floor.
-const float kWeightScale = exp2(64.0);
-
 void main() {
   const Fragment f = shade();
   bool unsure;

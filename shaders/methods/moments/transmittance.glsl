@@ -51,4 +51,8 @@ vec3 transmittance_at(ivec2 pixel, float depth, out bool unsure) {
   return vec3(first, second, third);
 }
 
+// All weights of a pixel may be small, for T in front of the first of several opaque fragments is already exp(-beta w_0 b0). A common factor
+// cancels in the fraction, whose denominator has a floor.
+const float kWeightScale = exp2(64.0);
+
 #endif
