@@ -302,7 +302,8 @@ TEST_F(MomentsTest, ReconstructionIsThatOfAModelInDoublePrecision) {
                    Model(kKinds[kind], questions[i].events).transmittance(double(questions[i].w), 0.25)));
     std::ranges::sort(apart);
     EXPECT_LT(apart[apart.size() / 2], 2e-6);
-    EXPECT_LT(apart[apart.size() * 98 / 100], 0.005) << "the rest: as many fragments as places, or fewer";
+    EXPECT_LT(apart[apart.size() * 99 / 100], 0.003);
+    EXPECT_LT(apart[apart.size() * 999 / 1000], 0.05) << "as many fragments as places, or fewer";
   }
 }
 
@@ -385,6 +386,31 @@ TEST_F(MomentsTest, LowerResolutionsSeeTheSameFragments) {
           ASSERT_NEAR(full[i][c], drawn[i][c], 0.002f) << resolution << " pixel " << i;
     }
   }
+}
+
+TEST_F(MomentsTest, TheOrderOfDrawsChangesNothingInAnyKind) {
+  Stage stage(device, pipelines, library, library.scene("street"));
+  const Targets targets(device, {96, 54});
+  stage.go_to(260, targets.size);
+  std::vector<uint32_t> backwards(stage.transparents().count);
+  std::iota(backwards.rbegin(), backwards.rend(), 0u);
+  for (const Kind& kind : kKinds)
+    for (const char* resolution : {"1/1", "1/4"}) {
+      SCOPED_TRACE(testing::Message() << kind.name << " " << resolution);
+      MethodInstance method = instance("moments", {{"moments", kind.name}, {"resolution", resolution}});
+      stage.go_to(260, targets.size);
+      const auto forwards = GpuTest::draw(stage, targets, method).display.pixels;
+      stage.set_draw_order(backwards);
+      const auto reversed = GpuTest::draw(stage, targets, method).display.pixels;
+      int worst = 0, beyond = 0;
+      for (size_t i = 0; i < forwards.size(); ++i) {
+        worst = std::max(worst, difference(forwards[i], reversed[i]));
+        beyond += difference(forwards[i], reversed[i]) > 2;
+      }
+      EXPECT_LE(worst, kind.nodes == 4 ? 8 : 2)
+          << "eight numbers sum in another order to another nearly singular system";
+      EXPECT_LE(beyond, kind.nodes == 4 ? 5 : 0);
+    }
 }
 
 TEST_F(MomentsTest, SmokeBesideASilhouetteIsInTheMomentsOfItsCell) {

@@ -8,8 +8,8 @@
 // infinitely far away, all others are finite, and the same real arithmetic serves both:
 //   s_k  = E[(x - w)^k]        or  E[cos^(2n-k) sin^k],  of half the angle from p,  k = 1 .. 2n
 //   q(y) = y^n + a_1 y^(n-1) + ... + a_n,  where  sum_j s_(k+j) a_j = -s_k:  its roots are the places, all of them real
-//   the means of functions that are `beta` at the depth asked about, 1 in front of it and 0 behind: such functions within the span
-//   of the moments are found by interpolation at the roots.
+//   w_j = 1 / sum_i |p_i(x_j)|^2 with orthonormal polynomials p_i (Christoffel): sums of squares, so that all shares are positive
+//   whatever is rounded, where interpolation between places that nearly coincide loses every digit.
 //
 // Limits: a step in absorbance is smoothed; every fragment moves all moments, so a far one changes what is seen in front of near ones.
 // The equations are nearly singular where few depths hold all absorbance: the moments are biased towards those of a wide
@@ -24,17 +24,17 @@ layout(constant_id = 4) const float kOverestimation = 0.25;
 const float kLeastAbsorbance = 0.001;   // published: what less dims is not worth looking for
 const float kLeastPivot = 3e-7;         // of its diagonal: a few roundings
 
-// s_1 .. s_8 and the means of 1, y, y^2, y^3 under the weight that the interpolated values are scaled by. Written out, because arrays
-// indexed in loops are slow where a compiler leaves them in memory; what a kind has no use for is not computed.
+// Written out, because arrays indexed in loops are slow where a compiler leaves them in memory; what a kind has no use for is not
+// computed.
 struct Seen {
+  float all;   // s_0
   vec4 near;   // s_1 .. s_4
   vec4 far;    // s_5 .. s_8
-  vec4 means;
 };
 
 // By one factor x - w after the other: binomial coefficients would take two more digits.
 Seen seen_from_depth(vec4 b, vec4 c, float w) {   // b: moments 1 to 4, c: 5 to 8
-  Seen s = Seen(b, c, vec4(0.0));
+  Seen s = Seen(1.0, b, c);
   s.far -= w * vec4(s.near.w, s.far.xyz);
   s.near -= w * vec4(1.0, s.near.xyz);
   s.far -= w * vec4(s.near.w, s.far.xyz);
@@ -47,7 +47,6 @@ Seen seen_from_depth(vec4 b, vec4 c, float w) {   // b: moments 1 to 4, c: 5 to 
   s.far.yzw -= w * s.far.xyz;
   s.far.zw -= w * s.far.yz;
   s.far.w -= w * s.far.z;
-  s.means = kNodes == 2u ? s.near.yxxx : kNodes == 3u ? s.near.zyxx : s.near.wzyx;
   return s;
 }
 
@@ -55,19 +54,20 @@ Seen seen_from_phase(vec4 b, vec4 c, float p) {
   const vec2 once = vec2(cos(p), -sin(p)), twice = turn(once, once);
   const vec2 e = turn(b.xy, once), f = turn(b.zw, twice);   // means of (cos, sin) of the angle from p, and of twice that
   Seen s;
-  s.means = vec4(3.0 - 4.0 * e.x + f.x, 2.0 * e.y - f.y, 1.0 - f.x, 2.0 * e.y + f.y) / 8.0;
   if (kNodes == 2u) {
-    s.near = s.means.wzyx;
+    s.all = (3.0 + 4.0 * e.x + f.x) / 8.0;
+    s.near = vec4(2.0 * e.y + f.y, 1.0 - f.x, 2.0 * e.y - f.y, 3.0 - 4.0 * e.x + f.x) / 8.0;
     s.far = vec4(0.0);
-    s.means = vec4(0.5 - 0.5 * e.x, 0.5 * e.y, 0.0, 0.0);
     return s;
   }
   const vec2 g = turn(c.xy, turn(twice, once));
   if (kNodes == 3u) {
+    s.all = (10.0 + 15.0 * e.x + 6.0 * f.x + g.x) / 32.0;
     s.near = vec4(5.0 * e.y + 4.0 * f.y + g.y, 2.0 + e.x - 2.0 * f.x - g.x, 3.0 * e.y - g.y, 2.0 - e.x - 2.0 * f.x + g.x) / 32.0;
     s.far = vec4(5.0 * e.y - 4.0 * f.y + g.y, 10.0 - 15.0 * e.x + 6.0 * f.x - g.x, 0.0, 0.0) / 32.0;
   } else {
     const vec2 h = turn(c.zw, turn(twice, twice));
+    s.all = (35.0 + 56.0 * e.x + 28.0 * f.x + 8.0 * g.x + h.x) / 128.0;
     s.near = vec4(14.0 * e.y + 14.0 * f.y + 6.0 * g.y + h.y, 5.0 + 4.0 * e.x - 4.0 * f.x - 4.0 * g.x - h.x,
                   6.0 * e.y + 2.0 * f.y - 2.0 * g.y - h.y, 3.0 - 4.0 * f.x + h.x) / 128.0;
     s.far = vec4(6.0 * e.y - 2.0 * f.y - 2.0 * g.y + h.y, 5.0 - 4.0 * e.x - 4.0 * f.x + 4.0 * g.x - h.x,
@@ -83,31 +83,48 @@ float kept_up(float pivot, float diagonal, inout bool unsure) {
   return max(pivot, least);
 }
 
-// Coefficients a_1 .. a_n of q(y), by Cholesky's decomposition without roots.
-vec4 solve(Seen s, out bool unsure) {
+// The matrix s_(k+j) as L D L^T: Cholesky's decomposition without roots.
+struct Factors {
+  vec4 pivot;
+  vec3 l0;    // below the diagonal of L's first column
+  vec2 l1;
+  float l2;
+};
+
+Factors factors_of(Seen s, out bool unsure) {
   unsure = false;
   const vec4 d = vec4(s.near.y, s.near.w, s.far.y, s.far.w);   // the diagonal
-  const float p0 = kept_up(d.x, d.x, unsure);
-  const vec3 l0 = vec3(s.near.zw, s.far.x) / p0;
-  const float p1 = kept_up(d.y - l0.x * s.near.z, d.y, unsure);
-  vec4 x = vec4(-s.near.x, -s.near.y, -s.near.z, -s.near.w);
-  x.y -= l0.x * x.x;
+  Factors f = Factors(vec4(1.0), vec3(0.0), vec2(0.0), 0.0);
+  f.pivot.x = kept_up(d.x, d.x, unsure);
+  f.l0 = vec3(s.near.zw, s.far.x) / f.pivot.x;
+  f.pivot.y = kept_up(d.y - f.l0.x * s.near.z, d.y, unsure);
+  if (kNodes == 2u) return f;
+  const vec2 left1 = s.far.xy - f.l0.yz * s.near.z;
+  f.l1 = left1 / f.pivot.y;
+  f.pivot.z = kept_up(d.z - f.l0.y * s.near.w - f.l1.x * left1.x, d.z, unsure);
+  if (kNodes == 3u) return f;
+  const float left2 = s.far.z - f.l0.z * s.near.w - f.l1.y * left1.x;
+  f.l2 = left2 / f.pivot.z;
+  f.pivot.w = kept_up(d.w - f.l0.z * s.far.x - f.l1.y * left1.y - f.l2 * left2, d.w, unsure);
+  return f;
+}
+
+// Coefficients a_1 .. a_n of q(y).
+vec4 solve(Seen s, Factors f) {
+  vec4 x = -s.near;
+  x.y -= f.l0.x * x.x;
   if (kNodes == 2u) {
-    const float a = x.y / p1;
-    return vec4(x.x / p0 - l0.x * a, a, 0.0, 0.0);
+    const float a = x.y / f.pivot.y;
+    return vec4(x.x / f.pivot.x - f.l0.x * a, a, 0.0, 0.0);
   }
-  const vec2 left1 = s.far.xy - l0.yz * s.near.z, l1 = left1 / p1;
-  const float p2 = kept_up(d.z - l0.y * s.near.w - l1.x * left1.x, d.z, unsure);
-  x.z -= l0.y * x.x + l1.x * x.y;
+  x.z -= f.l0.y * x.x + f.l1.x * x.y;
   if (kNodes == 3u) {
-    const float a = x.z / p2, b = x.y / p1 - l1.x * a;
-    return vec4(x.x / p0 - l0.x * b - l0.y * a, b, a, 0.0);
+    const float a = x.z / f.pivot.z, b = x.y / f.pivot.y - f.l1.x * a;
+    return vec4(x.x / f.pivot.x - f.l0.x * b - f.l0.y * a, b, a, 0.0);
   }
-  const float left2 = s.far.z - l0.z * s.near.w - l1.y * left1.x, l2 = left2 / p2;
-  const float p3 = kept_up(d.w - l0.z * s.far.x - l1.y * left1.y - l2 * left2, d.w, unsure);
-  x.w -= l0.z * x.x + l1.y * x.y + l2 * x.z;
-  const float a = x.w / p3, b = x.z / p2 - l2 * a, c = x.y / p1 - l1.x * b - l1.y * a;
-  return vec4(x.x / p0 - l0.x * c - l0.y * b - l0.z * a, c, b, a);
+  x.w -= f.l0.z * x.x + f.l1.y * x.y + f.l2 * x.z;
+  const float a = x.w / f.pivot.w, b = x.z / f.pivot.z - f.l2 * a, c = x.y / f.pivot.y - f.l1.x * b - f.l1.y * a;
+  return vec4(x.x / f.pivot.x - f.l0.x * c - f.l0.y * b - f.l0.z * a, c, b, a);
 }
 
 // The roots of y^3 + a.x y^2 + a.y y + a.z, all of them real: three cosines.
@@ -127,24 +144,21 @@ vec4 quartic_roots(vec4 a) {
   return 0.5 * vec4(u.x + u.y + u.z, u.x - u.y - u.z, u.y - u.x - u.z, u.z - u.x - u.y) - h;
 }
 
-// 0 where the denominator is.
-vec4 divided(vec4 by, vec4 of) { return mix(of / by, vec4(0.0), equal(by, vec4(0.0))); }
-float divided(float by, float of) { return by != 0.0 ? of / by : 0.0; }
+// A step of Weierstrass towards the roots: all at once, so that no two of them run into one. Where two already are, nothing is done.
+vec4 refined(vec4 y, vec4 a) {
+  const vec4 value = kNodes == 3u ? ((y + a.x) * y + a.y) * y + a.z : (((y + a.x) * y + a.y) * y + a.z) * y + a.w;
+  const vec4 apart = kNodes == 3u ? vec4((y.xyz - y.yzx) * (y.xyz - y.zxy), 1.0) : (y - y.yzwx) * (y - y.zwxy) * (y - y.wxyz);
+  return y - mix(value / apart, vec4(0.0), equal(apart, vec4(0.0)));
+}
 
-// Those of q(y), refined by one step of Weierstrass: all at once, so that no two of them run into one.
+// Those of q(y).
 vec4 roots(vec4 a) {
   if (kNodes == 2u) {
     const float h = -0.5 * a.x, spread = sqrt(max(h * h - a.y, 0.0)), larger = h < 0.0 ? h - spread : h + spread;
-    return vec4(larger, divided(larger, a.y), 0.0, 0.0);
+    return vec4(larger, larger != 0.0 ? a.y / larger : 0.0, 0.0, 0.0);
   }
-  if (kNodes == 3u) {
-    const vec3 y = cubic_roots(a.xyz);
-    const vec3 value = ((y + a.x) * y + a.y) * y + a.z, apart = (y - y.yzx) * (y - y.zxy);
-    return vec4(y, 0.0) - divided(vec4(apart, 0.0), vec4(value, 0.0));
-  }
-  const vec4 y = quartic_roots(a);
-  const vec4 value = (((y + a.x) * y + a.y) * y + a.z) * y + a.w, apart = (y - y.yzwx) * (y - y.zwxy) * (y - y.wxyz);
-  return y - divided(apart, value);
+  const vec4 y = kNodes == 3u ? vec4(cubic_roots(a.xyz), 0.0) : quartic_roots(a);
+  return refined(refined(y, a), a);
 }
 
 // 1 where the place of a root is in front of the depth asked about, 0 where it is behind. On the circle "in front" ends somewhere in
@@ -155,24 +169,22 @@ vec4 in_front(vec4 y, float p) {
   return mix(clamp((angle - 2.0 * kPi) / kWrappingZone + 1.0, 0.0, 1.0), vec4(1.0), greaterThanEqual(angle, vec4(2.0 * kPi)));
 }
 
-// What the interpolating function is multiplied by, so that it is within the span of the moments.
-vec4 scale_of(vec4 y) {
-  const vec4 square = kPower ? y * y : 1.0 + y * y;
-  if (kNodes == 2u) return square;
-  return square * (kNodes == 3u && kPower ? y : square);
-}
-
-// Mean of the polynomial in y that has these values at these places, by Newton's divided differences.
-float mean_of_interpolation(vec4 y, vec4 v, vec4 means) {
-  const vec3 first = vec3(divided(y.y - y.x, v.y - v.x), kNodes > 2u ? divided(y.z - y.y, v.z - v.y) : 0.0, kNodes > 3u ? divided(y.w - y.z, v.w - v.z) : 0.0);
-  const vec3 after1 = means.yzw - y.x * means.xyz;
-  float mean = v.x * means.x + first.x * after1.x;
-  if (kNodes == 2u) return mean;
-  const vec2 second = vec2(divided(y.z - y.x, first.y - first.x), kNodes > 3u ? divided(y.w - y.y, first.z - first.y) : 0.0);
-  const vec2 after2 = after1.yz - y.y * after1.xy;
-  mean += second.x * after2.x;
-  if (kNodes == 3u) return mean;
-  return mean + divided(y.w - y.x, second.y - second.x) * (after2.y - y.z * after2.x);
+// Shares of absorbance at the places of the roots: 1 / (e^T (L D L^T)^-1 e) with e = (y^(n-1), .., y, 1), scaled.
+vec4 shares(Factors f, vec4 y) {
+  const vec4 square = 1.0 + y * y, one = inversesqrt(square), c = y * one;   // (c, one): y as a direction
+  const vec4 top = kNodes == 2u ? c : kNodes == 3u ? c * c : c * c * c;
+  const vec4 t1 = (kNodes == 2u ? one : kNodes == 3u ? c * one : c * c * one) - f.l0.x * top;
+  vec4 sum = top * top / f.pivot.x + t1 * t1 / f.pivot.y;
+  if (kNodes > 2u) {
+    const vec4 t2 = (kNodes == 3u ? one * one : c * one * one) - f.l0.y * top - f.l1.x * t1;
+    sum += t2 * t2 / f.pivot.z;
+    if (kNodes > 3u) {
+      const vec4 t3 = one * one * one - f.l0.z * top - f.l1.y * t1 - f.l2 * t2;
+      sum += t3 * t3 / f.pivot.w;
+    }
+  }
+  const vec4 scale = kPower ? top * y * (top * y) : square;
+  return scale / sum * vec4(1.0, 1.0, kNodes > 2u ? 1.0 : 0.0, kNodes > 3u ? 1.0 : 0.0);
 }
 
 // Share of all absorbance that lies in front of warped depth w; of what lies there itself, kOverestimation. `low` and `high` are the
@@ -187,8 +199,10 @@ float share_in_front(vec4 low, vec4 high, float w, out bool unsure) {
   } else {
     seen = seen_from_phase(low * (1.0 - kBias), high * (1.0 - kBias), p);   // evenly around the circle
   }
-  const vec4 y = roots(solve(seen, unsure));
-  const float share = kOverestimation + mean_of_interpolation(y, (in_front(y, p) - kOverestimation) * scale_of(y), seen.means);
+  const Factors factors = factors_of(seen, unsure);
+  const vec4 a = solve(seen, factors), y = roots(a), w_j = shares(factors, y);
+  const float w_0 = clamp(seen.all + dot(a, seen.near), 0.0, 1.0);
+  const float share = (dot(w_j, in_front(y, p)) + kOverestimation * w_0) / (dot(w_j, vec4(1.0)) + w_0);
   if (isnan(share) || isinf(share)) {   // as if everything were in one place, that of the fragment itself
     unsure = true;
     return kOverestimation;
