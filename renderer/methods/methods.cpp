@@ -3,14 +3,15 @@
 // THE list. The order is the order of tables and reports: the reference first, since every error is measured
 // against it.
 #define PLUME_METHODS(X) \
-  X(reference)           \
-  X(linked_list)         \
-  X(abuffer)             \
-  X(adaptive)            \
-  X(sorted)              \
-  X(wboit)               \
-  X(moments)             \
-  X(vboit)               \
+  X(reference) \
+  X(linked_list) \
+  X(sorted) \
+  X(abuffer) \
+  X(adaptive) \
+  X(wboit) \
+  X(moments) \
+  X(wavelets) \
+  X(vboit) \
   X(avboit)
 
 namespace plume {

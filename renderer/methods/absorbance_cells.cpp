@@ -1,0 +1,83 @@
+#include "renderer/methods/absorbance_cells.h"
+
+#include "shaders/methods/avboit/volume.h"
+
+namespace plume {
+namespace {
+
+constexpr std::string_view kResolutions[] = {"1/1", "1/2", "1/4", "1/8"};
+constexpr std::string_view kRanges[] = {"pixel", "scene"};
+
+}  // namespace
+
+void AbsorbanceCells::visit(ParameterVisitor& visitor) {
+  visitor.choice("resolution", resolution, kResolutions,
+                 "of the transmittance across the picture: coarser is cheaper, silhouettes are as coarse");
+  visitor.choice("range", range, kRanges,
+                 "of depths that is resolved: found for each pixel in a pass of its own, or near to far for "
+                 "all, which is cheaper and coarser");
+  visitor.toggle("rgb", rgb,
+                 "a transmittance for each channel: right behind coloured things, for thrice the sums");
+  visitor.toggle("exclude_self", exclude_self,
+                 "takes a fragment's own absorbance out of what it reads: it does not shade itself");
+}
+
+uint32_t AbsorbanceCells::channels(const Transparents& transparents) const {
+  return rgb && transparents.number(Source::kRgb) > 0 ? 3 : 1;
+}
+
+void AbsorbanceCells::add_needs(Needs& needs, glm::uvec2 size) const {
+  needs.buffers.push_back({.name = "ranges", .bytes = (range == 0 ? count(size) : 1) * 8, .clear = 0});
+  if (resolution == 0) return;
+  needs.images.push_back({.name = "farthest",
+                          .format = vk::Format::eR32Sfloat,
+                          .usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled,
+                          .divisor = divisor()});
+  needs.buffers.push_back({.name = "volume", .bytes = sizeof(shared::Volume), .clear = {}});
+}
+
+void AbsorbanceCells::record_ranges(const Picture& picture) const {
+  if (resolution != 0)
+    picture.frame.pass("farthest", [&](gpu::Pass& pass) {
+      const gpu::Buffer& volume = picture.resources.buffer("volume");
+      const glm::uvec2 size = cells(picture.size);
+      pass.update(volume, shared::Volume{.cells = size, .divisor = divisor()});
+      pass.barrier();
+      pass.dispatch(pass.pipelines().compute("methods/avboit/farthest.comp"),
+                    {{"VolumeBlock", &volume},
+                     {"opaque_depth", &picture.opaque_depth},
+                     {"farthest", &picture.resources.image("farthest")}},
+                    0u, {gpu::groups(size.x, 8), gpu::groups(size.y, 8), 1});
+    });
+  if (range == 0)
+    picture.frame.pass(
+        "range", [&](gpu::Pass& pass) { draw(pass, picture, "methods/absorbance/range.frag", {}, {}); });
+}
+
+void AbsorbanceCells::draw(gpu::Pass& pass, const Picture& picture, const std::string& fragment,
+                           const gpu::Constants& own_constants, gpu::Bindings own_bindings,
+                           std::vector<gpu::Attachment> targets) const {
+  const glm::uvec2 area = cells(picture.size);
+  picture.transparents.draw(
+      pass, {.fragment = fragment,
+             .targets = std::move(targets),
+             .depth_test = resolution == 0 ? &picture.opaque_depth : nullptr,
+             .opaque_depth = resolution == 0 ? &picture.opaque_depth : &picture.resources.image("farthest"),
+             .area = {area.x, area.y},
+             .constants = constants(picture.transparents, own_constants),
+             .bindings = bindings(picture.resources, std::move(own_bindings)),
+             .covered = glm::vec2(picture.size) / glm::vec2(area * divisor())});
+}
+
+gpu::Constants AbsorbanceCells::constants(const Transparents& transparents, const gpu::Constants& own) const {
+  gpu::Constants all{divisor(), range == 0 ? 1u : 0u, channels(transparents), exclude_self ? 1u : 0u};
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
+gpu::Bindings AbsorbanceCells::bindings(const Resources& resources, gpu::Bindings own) const {
+  own.push_back({"Ranges", &resources.buffer("ranges")});
+  return own;
+}
+
+}  // namespace plume

@@ -1,0 +1,110 @@
+// Wavelet transparency: absorbance over depth in the Haar basis, a few coefficients a pixel that fragments
+// add to in any order; each is then drawn with the transmittance that they give at its depth. Aizenshtein,
+// Smal and McGuire, "Wavelet Transparency", arXiv 2201.00094, 2022; the transform is in
+// shaders/methods/wavelets/haar.glsl.
+//
+// Coefficients are added to atomically, in 32-bit floats. A fragment's absorbance is at most 16, that of
+// alpha 1: the rest is counted. Limits: what shares a leaf mixes, and how much changes with where in the leaf
+// it lies.
+#include "renderer/methods/absorbance_cells.h"
+#include "renderer/methods/methods.h"
+#include "renderer/methods/weighted.h"
+#include "renderer/probe.h"
+#include "shaders/methods/wavelets/sums.h"
+
+namespace plume {
+namespace {
+
+class Wavelets final : public Method {
+ public:
+  std::string_view id() const override { return "wavelets"; }
+  Traits traits() const override {
+    return {.title = "Haar wavelets",
+            .source = "Aizenshtein, Smal and McGuire, Wavelet Transparency, 2022",
+            .transmission = "the mean of RGB; `rgb` keeps each",
+            .emission = "in the weighted average where covered; attenuated and added where not",
+            .limits = "not shift invariant: colours of what shares a leaf swing as it moves through it",
+            .street_rmse = 0.1};
+  }
+  std::vector<std::string> missing(const gpu::Device& device) const override {
+    if (device.has_float_atomics()) return {};
+    return {"shaderBufferFloat32AtomicAdd"};
+  }
+  void visit(ParameterVisitor& visitor) override {
+    visitor.integer("rank", rank_,
+                    {.min = 1,
+                     .max = 4,
+                     .unit = "",
+                     .help = "2^(rank + 1) coefficients a pixel: depths are told apart better, for rank + 2 "
+                             "atomic sums a fragment and memory"});
+    cells_.visit(visitor);
+  }
+
+  Needs needs(glm::uvec2 size, const Transparents& transparents) const override {
+    Needs needs;
+    cells_.add_needs(needs, size);
+    needs.buffers.push_back({.name = "sums", .bytes = sizeof(shared::WaveletSums), .clear = {}});
+    needs.buffers.push_back({.name = "coefficients",
+                             .bytes = cells_.count(size) * cells_.channels(transparents) * (8u << rank_),
+                             .clear = 0});
+    weighted(transparents).add_needs(needs);
+    return needs;
+  }
+
+  void record(const Picture& picture) override {
+    const Resources& resources = picture.resources;
+    cells_.record_ranges(picture);
+    picture.frame.pass("splat", [&](gpu::Pass& pass) {
+      const uint64_t address = resources.buffer("coefficients").address();
+      pass.update(
+          resources.buffer("sums"),
+          shared::WaveletSums{
+              .coefficients = {uint32_t(address), uint32_t(address >> 32)}, .clamped = 0, .outside = 0});
+      pass.barrier();
+      cells_.draw(pass, picture, "methods/wavelets/splat.frag", {uint32_t(rank_)},
+                  {{"Sums", &resources.buffer("sums")}});
+    });
+    picture.frame.pass("draw", [&](gpu::Pass& pass) {
+      picture.transparents.draw(pass, {.fragment = "methods/wavelets/draw.frag",
+                                       .targets = weighted(picture.transparents).targets(resources),
+                                       .depth_test = &picture.opaque_depth,
+                                       .opaque_depth = &picture.opaque_depth,
+                                       .area = picture.area(),
+                                       .constants = constants(picture.transparents),
+                                       .bindings = bindings(resources)});
+    });
+    weighted(picture.transparents).record_resolve(picture);
+  }
+
+  void probe(const Picture& picture, const Probe& probe) const override {
+    probe_with(picture, probe, "methods/wavelets/probe.comp", constants(picture.transparents),
+               bindings(picture.resources));
+  }
+
+  nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
+    const auto sums = gpu::read<shared::WaveletSums>(device, resources.buffer("sums"))[0];
+    return {{"absorbance_clamped", sums.clamped}, {"outside_range", sums.outside}};
+  }
+
+ private:
+  Weighted weighted(const Transparents& transparents) const {
+    return {.each_channel = cells_.channels(transparents) == 3};
+  }
+  gpu::Constants constants(const Transparents& transparents) const {
+    return cells_.constants(transparents, {uint32_t(rank_)});
+  }
+  gpu::Bindings bindings(const Resources& resources) const {
+    return cells_.bindings(resources, {{"Sums", &resources.buffer("sums")}});
+  }
+
+  int rank_ = 3;
+  AbsorbanceCells cells_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_wavelets() {
+  return std::make_unique<Wavelets>();
+}
+
+}  // namespace plume
