@@ -1,5 +1,7 @@
 #include "renderer/methods/absorbance_cells.h"
 
+#include <bit>
+
 #include "shaders/methods/avboit/volume.h"
 
 namespace plume {
@@ -16,6 +18,18 @@ void AbsorbanceCells::visit(ParameterVisitor& visitor) {
   visitor.choice("range", range, kRanges,
                  "of depths that is resolved: found for each pixel in a pass of its own, or near to far for "
                  "all, which is cheaper and coarser");
+  visitor.number("near", near_m,
+                 {.min = 0.0,
+                  .max = 10000.0,
+                  .unit = "m",
+                  .help = "where the scene's range begins: the nearer to what is seen the finer; 0 = the "
+                          "near plane"});
+  visitor.number(
+      "far", far_m,
+      {.min = 0.0,
+       .max = 100000.0,
+       .unit = "m",
+       .help = "where the scene's range ends: farther things share a depth; 0 = the scene's far_m"});
   visitor.toggle("rgb", rgb,
                  "a transmittance for each channel: right behind coloured things, for thrice the sums");
   visitor.toggle("exclude_self", exclude_self,
@@ -70,7 +84,12 @@ void AbsorbanceCells::draw(gpu::Pass& pass, const Picture& picture, const std::s
 }
 
 gpu::Constants AbsorbanceCells::constants(const Transparents& transparents, const gpu::Constants& own) const {
-  gpu::Constants all{divisor(), range == 0 ? 1u : 0u, channels(transparents), exclude_self ? 1u : 0u};
+  gpu::Constants all{divisor(),
+                     range == 0 ? 1u : 0u,
+                     channels(transparents),
+                     exclude_self ? 1u : 0u,
+                     std::bit_cast<uint32_t>(near_m),
+                     std::bit_cast<uint32_t>(far_m)};
   all.insert(all.end(), own.begin(), own.end());
   return all;
 }

@@ -9,10 +9,11 @@
 namespace plume {
 
 struct AbsorbanceCells {
-  int resolution = 0;        ///< index: 1/1, 1/2, 1/4, 1/8
-  int range = 0;             ///< index: of each cell, of the scene
-  bool rgb = false;          ///< a function of depth for each channel, instead of their mean's
-  bool exclude_self = true;  ///< fragments read it without their own share
+  int resolution = 0;                 ///< index: 1/1, 1/2, 1/4, 1/8
+  int range = 0;                      ///< index: of each cell, of the scene
+  float near_m = 0.0f, far_m = 0.0f;  ///< of the scene's; 0: the view's
+  bool rgb = true;                   ///< a function of depth for each channel, instead of their mean's
+  bool exclude_self = true;           ///< fragments read it without their own share
 
   void visit(ParameterVisitor& visitor);
 

@@ -9,8 +9,15 @@ layout(constant_id = 0) const uint kDivisor = 1u;      // pixels a cell, each wa
 layout(constant_id = 1) const uint kCellRange = 1u;    // 0: of the scene
 layout(constant_id = 2) const uint kChannels = 1u;     // 1: the mean of RGB; 3
 layout(constant_id = 3) const uint kExcludeSelf = 1u;
+layout(constant_id = 4) const float kNear = 0.0;       // m, of the scene's range; 0: the view's
+layout(constant_id = 5) const float kFar = 0.0;
 
 const float kBehind = 2.0;   // the place of what lies behind everything in its cell
+
+vec2 scene_range() {
+  const float near = kNear > 0.0 ? kNear : view.near_m;
+  return vec2(near, max(kFar > 0.0 ? kFar : view.far_m, near));
+}
 
 uvec2 cells() { return (view.size + kDivisor - 1u) / kDivisor; }
 uint cell_index(uvec2 cell) { return cell.y * cells().x + cell.x; }
@@ -21,7 +28,7 @@ uvec2 pack_range(float depth) { return uvec2(~floatBitsToUint(depth), floatBitsT
 vec2 unpack_range(uvec2 range) { return uintBitsToFloat(uvec2(~range.x, range.y)); }
 
 float place_in(uvec2 packed_range, float depth) {
-  vec2 range = vec2(view.near_m, view.far_m);
+  vec2 range = scene_range();
   if (kCellRange != 0u) {
     if (packed_range.y == 0u) return kBehind;   // nothing is there
     range = unpack_range(packed_range);

@@ -6,7 +6,7 @@
 
 layout(scalar, binding = 8) readonly buffer Ranges { uvec2 ranges[]; };
 
-const float kLeastWeight = 4.5e-5;   // e^-10: half floats can still sum it, so that what shares a place is mixed and not black
+const float kLeastWeight = 6.1e-6;   // e^-12: what shares a place and hides itself by far is mixed and does not turn black
 
 uvec2 range_of(uvec2 cell) { return kCellRange != 0u ? ranges[cell_index(cell)] : uvec2(0u); }
 

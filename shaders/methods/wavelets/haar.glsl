@@ -15,7 +15,7 @@
 #include "methods/absorbance/cells.glsl"
 #include "methods/wavelets/sums.h"
 
-layout(constant_id = 4) const uint kRank = 3u;
+layout(constant_id = 6) const uint kRank = 3u;
 layout(scalar, binding = 9) buffer Sums { WaveletSums sums; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Coefficients { float c[]; };
 

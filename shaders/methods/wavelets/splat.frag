@@ -13,7 +13,7 @@ void main() {
   const vec3 a = absorbance(f);
   if (all(lessThanEqual(a, vec3(0.0)))) return;
   if (any(lessThan(passed_by(f), vec3(kLeastTransmittance)))) atomicAdd(sums.clamped, 1u);
-  if (kCellRange == 0u && (f.depth < view.near_m || f.depth > view.far_m)) atomicAdd(sums.outside, 1u);
+  if (kCellRange == 0u && (f.depth < scene_range().x || f.depth > scene_range().y)) atomicAdd(sums.outside, 1u);
   const uvec2 cell = uvec2(gl_FragCoord.xy);
   add_step(cell, place_in(kCellRange != 0u ? ranges[cell_index(cell)] : uvec2(0u), f.depth), a);
 }
