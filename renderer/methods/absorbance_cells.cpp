@@ -70,7 +70,7 @@ void AbsorbanceCells::record_ranges(const Picture& picture) const {
 
 void AbsorbanceCells::draw(gpu::Pass& pass, const Picture& picture, const std::string& fragment,
                            const gpu::Constants& own_constants, gpu::Bindings own_bindings,
-                           std::vector<gpu::Attachment> targets) const {
+                           std::optional<Source> source, std::vector<gpu::Attachment> targets) const {
   const glm::uvec2 area = cells(picture.size);
   picture.transparents.draw(
       pass, {.fragment = fragment,
@@ -78,6 +78,7 @@ void AbsorbanceCells::draw(gpu::Pass& pass, const Picture& picture, const std::s
              .depth_test = resolution == 0 ? &picture.opaque_depth : nullptr,
              .opaque_depth = resolution == 0 ? &picture.opaque_depth : &picture.resources.image("farthest"),
              .area = {area.x, area.y},
+             .source = source,
              .constants = constants(picture.transparents, own_constants),
              .bindings = bindings(picture.resources, std::move(own_bindings)),
              .covered = glm::vec2(picture.size) / glm::vec2(area * divisor())});

@@ -12,7 +12,7 @@ struct AbsorbanceCells {
   int resolution = 0;                 ///< index: 1/1, 1/2, 1/4, 1/8
   int range = 0;                      ///< index: of each cell, of the scene
   float near_m = 0.0f, far_m = 0.0f;  ///< of the scene's; 0: the view's
-  bool rgb = true;                   ///< a function of depth for each channel, instead of their mean's
+  bool rgb = true;                    ///< a function of depth for each channel, instead of their mean's
   bool exclude_self = true;           ///< fragments read it without their own share
 
   void visit(ParameterVisitor& visitor);
@@ -26,10 +26,11 @@ struct AbsorbanceCells {
   void add_needs(Needs& needs, glm::uvec2 size) const;
   /// Passes "farthest" and "range", where they are needed.
   void record_ranges(const Picture& picture) const;
-  /// Draws all cards at the cells' resolution. The method's own constants follow those of all.
+  /// Draws all cards, or those of one source, at the cells' resolution. The method's own constants follow
+  /// those of all.
   void draw(gpu::Pass& pass, const Picture& picture, const std::string& fragment,
             const gpu::Constants& own_constants, gpu::Bindings own_bindings,
-            std::vector<gpu::Attachment> targets = {}) const;
+            std::optional<Source> source = {}, std::vector<gpu::Attachment> targets = {}) const;
   /// What cells.glsl specialises, and what it binds.
   gpu::Constants constants(const Transparents& transparents, const gpu::Constants& own) const;
   gpu::Bindings bindings(const Resources& resources, gpu::Bindings own) const;

@@ -37,6 +37,9 @@ class Wavelets final : public Method {
                      .unit = "",
                      .help = "2^(rank + 1) coefficients a pixel: depths are told apart better, for rank + 2 "
                              "atomic sums a fragment and memory"});
+    visitor.toggle("unfold", unfold_,
+                   "inverts the transform once a pixel: fragments read two means instead of walking the tree "
+                   "twice, for a pass over the coefficients");
     cells_.visit(visitor);
   }
 
@@ -45,7 +48,7 @@ class Wavelets final : public Method {
     cells_.add_needs(needs, size);
     needs.buffers.push_back({.name = "sums", .bytes = sizeof(shared::WaveletSums), .clear = {}});
     needs.buffers.push_back({.name = "coefficients",
-                             .bytes = cells_.count(size) * cells_.channels(transparents) * (8u << rank_),
+                             .bytes = cells_.count(size) * sums(transparents) * (8u << rank_),
                              .clear = 0});
     weighted(transparents).add_needs(needs);
     return needs;
@@ -61,9 +64,24 @@ class Wavelets final : public Method {
           shared::WaveletSums{
               .coefficients = {uint32_t(address), uint32_t(address >> 32)}, .clamped = 0, .outside = 0});
       pass.barrier();
-      cells_.draw(pass, picture, "methods/wavelets/splat.frag", {uint32_t(rank_)},
-                  {{"Sums", &resources.buffer("sums")}});
+      const auto splat = [&](bool into_rgb, std::optional<Source> source) {
+        cells_.draw(pass, picture, "methods/wavelets/splat.frag", own_constants(into_rgb),
+                    own_bindings(resources), source);
+      };
+      const bool each_channel = cells_.channels(picture.transparents) == 3;
+      splat(false, each_channel ? std::optional(Source::kScalar) : std::nullopt);
+      if (each_channel) splat(true, Source::kRgb);
     });
+    if (unfold_)
+      picture.frame.pass("unfold", [&](gpu::Pass& pass) {
+        gpu::Bindings bindings = own_bindings(resources);
+        bindings.push_back({"View", picture.transparents.view});
+        const glm::uvec2 cells = cells_.cells(picture.size);
+        pass.dispatch(
+            pass.pipelines().compute("methods/wavelets/unfold.comp", constants(picture.transparents)),
+            bindings, 0u,
+            {gpu::groups(cells.x, 8), gpu::groups(cells.y, 8), cells_.channels(picture.transparents)});
+      });
     picture.frame.pass("draw", [&](gpu::Pass& pass) {
       picture.transparents.draw(pass, {.fragment = "methods/wavelets/draw.frag",
                                        .targets = weighted(picture.transparents).targets(resources),
@@ -91,14 +109,23 @@ class Wavelets final : public Method {
   Weighted weighted(const Transparents& transparents) const {
     return {.each_channel = cells_.channels(transparents) == 3, .full_floats = true};
   }
+  /// What dims all channels alike is summed once, and what does not for each.
+  uint32_t sums(const Transparents& transparents) const { return cells_.channels(transparents) == 3 ? 4 : 1; }
+  gpu::Constants own_constants(bool into_rgb) const {
+    return {uint32_t(rank_), unfold_ ? 1u : 0u, into_rgb ? 1u : 0u};
+  }
   gpu::Constants constants(const Transparents& transparents) const {
-    return cells_.constants(transparents, {uint32_t(rank_)});
+    return cells_.constants(transparents, own_constants(false));
+  }
+  gpu::Bindings own_bindings(const Resources& resources) const {
+    return {{"Sums", &resources.buffer("sums")}};
   }
   gpu::Bindings bindings(const Resources& resources) const {
-    return cells_.bindings(resources, {{"Sums", &resources.buffer("sums")}});
+    return cells_.bindings(resources, own_bindings(resources));
   }
 
   int rank_ = 3;
+  bool unfold_ = true;
   AbsorbanceCells cells_;
 };
 

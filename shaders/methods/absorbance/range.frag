@@ -11,7 +11,8 @@ void main() {
   const Fragment f = shade();
   if (all(lessThanEqual(absorbance(f), vec3(0.0)))) return;
   const uint cell = cell_index(uvec2(gl_FragCoord.xy));
-  const uvec2 mine = pack_range(f.depth);
-  atomicMax(ranges[cell].x, mine.x);
-  atomicMax(ranges[cell].y, mine.y);
+  // Most fragments lie within what is known already: a plain read tells, and if it is old the atomics are right.
+  const uvec2 mine = pack_range(f.depth), known = ranges[cell];
+  if (mine.x > known.x) atomicMax(ranges[cell].x, mine.x);
+  if (mine.y > known.y) atomicMax(ranges[cell].y, mine.y);
 }

@@ -16,20 +16,33 @@
 #include "methods/wavelets/sums.h"
 
 layout(constant_id = 6) const uint kRank = 3u;
+layout(constant_id = 7) const uint kUnfold = 1u;   // the transform is inverted before it is read
+layout(constant_id = 8) const uint kIntoRgb = 0u;  // of a splat: into the sums of each channel instead of those for all
 layout(scalar, binding = 9) buffer Sums { WaveletSums sums; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Coefficients { float c[]; };
 
 const uint kLeaves = 2u << kRank;   // and coefficients: the scale term, then nodes; the children of n are 2n and 2n + 1
+// Sums a coefficient: of what dims all channels alike, then, where there are channels, of what does not.
+const uint kSums = kChannels == 3u ? 4u : 1u;
 
-uint coefficient(uvec2 cell, uint n) { return (cell_index(cell) * kLeaves + n) * kChannels; }
+uint coefficient(uvec2 cell, uint n) { return (cell_index(cell) * kLeaves + n) * kSums; }
 
 void add_to(uint at, vec3 value) {
-  for (uint c = 0u; c < kChannels; ++c) atomicAdd(Coefficients(sums.coefficients).c[at + c], value[c]);
+  if (kIntoRgb != 0u)
+    for (uint c = 0u; c < 3u; ++c) atomicAdd(Coefficients(sums.coefficients).c[at + 1u + c], value[c]);
+  else
+    atomicAdd(Coefficients(sums.coefficients).c[at], value.r);
+}
+vec3 rgb_of(uint at) {
+  Coefficients from = Coefficients(sums.coefficients);
+  return vec3(from.c[at + 1u], from.c[at + 2u], from.c[at + 3u]);
 }
 vec3 value_of(uint at) {
-  Coefficients from = Coefficients(sums.coefficients);
-  return kChannels == 3u ? vec3(from.c[at], from.c[at + 1u], from.c[at + 2u]) : vec3(from.c[at]);
+  const float all = Coefficients(sums.coefficients).c[at];
+  return kChannels == 3u ? all + rgb_of(at) : vec3(all);
 }
+// Of the mean over a leaf, where unfold.comp has been.
+vec3 leaf_of(uint at) { return kChannels == 3u ? rgb_of(at) : vec3(Coefficients(sums.coefficients).c[at]); }
 
 float in_leaves(float place) { return min(place, 1.0) * float(kLeaves - 1u); }
 
@@ -47,6 +60,11 @@ void add_step(uvec2 cell, float place, vec3 absorbance) {
 
 // Means over leaf - 1, 0 before the first, and leaf.
 void means_of(uvec2 cell, uint leaf, out vec3 before, out vec3 here) {
+  if (kUnfold != 0u) {
+    here = leaf_of(coefficient(cell, leaf));
+    before = leaf == 0u ? vec3(0.0) : leaf_of(coefficient(cell, leaf - 1u));
+    return;
+  }
   const vec3 scale = value_of(coefficient(cell, 0u));
   before = here = scale;
   uint node = kLeaves + leaf, other = kLeaves + max(leaf, 1u) - 1u;
