@@ -30,8 +30,6 @@ void AbsorbanceCells::visit(ParameterVisitor& visitor) {
        .max = 100000.0,
        .unit = "m",
        .help = "where the scene's range ends: farther things share a depth; 0 = the scene's far_m"});
-  visitor.toggle("rgb", rgb,
-                 "a transmittance for each channel: right behind coloured things, for thrice the sums");
   visitor.toggle("exclude_self", exclude_self,
                  "takes a fragment's own absorbance out of what it reads: it does not shade itself");
 }

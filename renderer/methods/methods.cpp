@@ -11,6 +11,7 @@
   X(wboit) \
   X(moments) \
   X(wavelets) \
+  X(fourier) \
   X(vboit) \
   X(avboit)
 

@@ -40,6 +40,9 @@ class Wavelets final : public Method {
     visitor.toggle("unfold", unfold_,
                    "inverts the transform once a pixel: fragments read two means instead of walking the tree "
                    "twice, for a pass over the coefficients");
+    visitor.toggle("rgb", cells_.rgb,
+                   "a transmittance for each channel: right behind coloured things, for four sums instead of "
+                   "one where there are any");
     cells_.visit(visitor);
   }
 
