@@ -1,98 +1,28 @@
 // Wavelet transparency against its transform in double precision, and against what is published of it.
-#include <algorithm>
-
 #include "sandbox/measure/metrics.h"
-#include "tests/gpu/avboit_scene.h"
+#include "tests/gpu/absorbance_scene.h"
 
 namespace plume {
 namespace {
 
-class WaveletsTest : public AvboitTest {
+class WaveletsTest : public AbsorbanceTest {
  protected:
-  using Map = std::map<std::string, std::string>;
-  Random random{1};
-
-  WaveletsTest() { size = {16, 12}; }
-
-  struct Shot {
-    DrawnPicture picture;
-    MethodInstance method;
-  };
-  Shot shoot(const Map& settings) {
-    const std::unique_ptr<World> w = world();
-    Shot shot{.picture = {}, .method = instance("wavelets", settings)};
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, shot.method);
-    shot.picture = read_picture(device, w->targets);
-    return shot;
-  }
-  /// What the method believes of a pixel.
-  std::vector<glm::vec3> probe_at(glm::uvec2 pixel, const std::vector<float>& depths, const Map& settings) {
-    const std::unique_ptr<World> w = world();
-    MethodInstance method = instance("wavelets", settings);
-    const Probe probe(device, pixel, depths);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
-    return probe.read_answer(device);
-  }
-  /// sum C a w and sum a w, of each pixel.
-  std::vector<glm::vec4> weighted_sums(const Shot& shot) {
-    return read_layer<glm::vec4>(shot.method.resources.image("accum"), 0);
-  }
-
-  /// A step of absorbance, in leaves along the ray.
-  struct Step {
-    double at;
-    glm::dvec3 absorbance;
-  };
-  /// Absorbance at a place from steps, averaged over [from, to].
-  static glm::dvec3 mean(const std::vector<Step>& steps, double from, double to) {
+  using AbsorbanceTest::shoot;
+  Shot shoot(const Map& settings) { return shoot("wavelets", settings); }
+  /// Absorbance averaged over [from, to], in leaves, the last of which begins at place 1.
+  static glm::dvec3 mean(const std::vector<Step>& steps, uint32_t leaves, double from, double to) {
     glm::dvec3 sum(0.0);
-    for (const Step& s : steps) sum += s.absorbance * std::clamp((to - s.at) / (to - from), 0.0, 1.0);
+    for (const Step& s : steps)
+      sum += s.absorbance * std::clamp((to - s.place * (leaves - 1)) / (to - from), 0.0, 1.0);
     return sum;
   }
   /// Coefficient n of all: the mean, then half the difference of the means over halves of each interval.
   static glm::dvec3 coefficient(const std::vector<Step>& steps, uint32_t n, uint32_t leaves) {
-    if (n == 0) return mean(steps, 0, leaves);
+    if (n == 0) return mean(steps, leaves, 0, leaves);
     const double level = std::floor(std::log2(n)), width = leaves / std::exp2(level);
     const double from = (n - std::exp2(level)) * width;
-    return 0.5 * (mean(steps, from, from + width / 2) - mean(steps, from + width / 2, from + width));
-  }
-  /// What the method may know at a pixel: its scene's cards, as steps.
-  std::vector<Step> steps_at(glm::dvec2 pixel, uint32_t leaves, bool scene_range, bool each_channel) const {
-    std::vector<std::pair<double, glm::dvec3>> hits;
-    double nearest = 1e30, farthest = 0;
-    for (const shared::Card& card : cards()) {
-      const std::optional<double> depth = hit(card, pixel);
-      if (!depth || card.optical_depth <= 0) continue;
-      const glm::vec2 rg = glm::unpackHalf2x16(card.transmission.x),
-                      b = glm::unpackHalf2x16(card.transmission.y);
-      const glm::dvec3 passes(rg.x, rg.y, b.x);
-      glm::dvec3 t = passes + (1.0 - passes) * std::exp(-double(card.optical_depth));
-      if (!each_channel) t = glm::dvec3((t.r + t.g + t.b) / 3.0);
-      hits.emplace_back(*depth, -glm::log(glm::max(t, 1.1e-7)));
-      nearest = std::min(nearest, *depth), farthest = std::max(farthest, *depth);
-    }
-    const shared::ViewData eye = view();
-    if (scene_range) nearest = double(eye.near_m), farthest = double(eye.far_m);
-    std::vector<Step> steps;
-    for (const auto& [depth, absorbance] : hits) {
-      const double place = std::log(depth / nearest) / std::max(std::log(farthest / nearest), 1e-6);
-      steps.push_back({.at = std::clamp(place, 0.0, 1.0) * (leaves - 1), .absorbance = absorbance});
-    }
-    return steps;
-  }
-  void add_random_cards(uint32_t number, bool coloured) {
-    for (uint32_t i = 0; i < number; ++i) {
-      const float z = float(random.octaves(0.5, 60));
-      add({.z = z,
-           .optical_depth = random.one_in(9) ? shared::kOpaqueDepth : float(random.octaves(0.001, 3)),
-           .color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)},
-           .transmission = coloured && random.one_in(2)
-                               ? glm::vec3(random.f(0, 1), random.f(0, 1), random.f(0, 1))
-                               : glm::vec3(0.0f),
-           .half_size = glm::vec2(2 * z),
-           .yaw = random.f(-0.3, 0.3),
-           .pitch = random.f(-0.3, 0.3)});
-    }
+    return 0.5 * (mean(steps, leaves, from, from + width / 2) -
+                  mean(steps, leaves, from + width / 2, from + width));
   }
 };
 
@@ -113,7 +43,7 @@ TEST_F(WaveletsTest, CoefficientsAreHalfTheDifferencesOfMeans) {
         ASSERT_EQ(size_t(size.x) * size.y * leaves * sums, found.size());
         for (uint32_t y = 0; y < size.y; ++y)
           for (uint32_t x = 0; x < size.x; ++x) {
-            const auto steps = steps_at(glm::dvec2(x, y) + 0.5, leaves, scene_range, coloured);
+            const auto steps = steps_at(glm::dvec2(x, y) + 0.5, scene_range, coloured);
             double total = 1;
             for (const Step& s : steps) total += s.absorbance.r;
             for (uint32_t n = 0; n < leaves; ++n)
@@ -158,7 +88,7 @@ TEST_F(WaveletsTest, TellsApartExactlyWhatLiesOnTheBoundariesOfLeaves) {
       through *= std::exp(-tau);
     }
     const Map settings{{"rank", std::to_string(rank)}, {"range", "scene"}};
-    const auto told = probe_at({8, 6}, boundaries, settings);
+    const auto told = probe_at("wavelets", {8, 6}, boundaries, settings);
     for (size_t k = 0; k < told.size(); ++k) EXPECT_NEAR(expected[k], told[k].r, 2e-5) << "boundary " << k;
     const auto exact = draw_cards("reference").linear, drawn = shoot(settings).picture.linear;
     EXPECT_LT(rmse(exact, drawn), 1e-3);
@@ -200,7 +130,7 @@ TEST_F(WaveletsTest, AFragmentInACrowdIsNotShadedByItself) {
       clear_cards();
       for (const float z : {2.0f, 3.1f, 3.3f, 4.7f, 9.0f}) add({.z = z, .optical_depth = 0.4f + 0.1f * z});
       const float z = float(random.between(2.1, 8.9)), tau = 0.8f;
-      const float told = probe_at({8, 6}, {z}, settings)[0].r;
+      const float told = probe_at("wavelets", {8, 6}, {z}, settings)[0].r;
       add({.z = z, .optical_depth = tau, .color = {1, 0, 0}});
       const glm::vec4 sums = weighted_sums(shoot(settings))[6 * size.x + 8];
       EXPECT_NEAR(told, sums.r / (1 - std::exp(-tau)), 2e-3);
