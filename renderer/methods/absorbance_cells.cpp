@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "shaders/methods/absorbance/counts.h"
 #include "shaders/methods/avboit/volume.h"
 
 namespace plume {
@@ -40,6 +41,7 @@ uint32_t AbsorbanceCells::channels(const Transparents& transparents) const {
 
 void AbsorbanceCells::add_needs(Needs& needs, glm::uvec2 size) const {
   needs.buffers.push_back({.name = "ranges", .bytes = (range == 0 ? count(size) : 1) * 8, .clear = 0});
+  needs.buffers.push_back({.name = "counts", .bytes = sizeof(shared::AbsorbanceCounts), .clear = 0});
   if (resolution == 0) return;
   needs.images.push_back({.name = "farthest",
                           .format = vk::Format::eR32Sfloat,
@@ -82,6 +84,11 @@ void AbsorbanceCells::draw(gpu::Pass& pass, const Picture& picture, const std::s
              .covered = glm::vec2(picture.size) / glm::vec2(area * divisor())});
 }
 
+nlohmann::json AbsorbanceCells::statistics(gpu::Device& device, const Resources& resources) const {
+  const auto counts = gpu::read<shared::AbsorbanceCounts>(device, resources.buffer("counts"))[0];
+  return {{"absorbance_clamped", counts.clamped}, {"outside_range", counts.outside}};
+}
+
 gpu::Constants AbsorbanceCells::constants(const Transparents& transparents, const gpu::Constants& own) const {
   gpu::Constants all{divisor(),
                      range == 0 ? 1u : 0u,
@@ -94,7 +101,7 @@ gpu::Constants AbsorbanceCells::constants(const Transparents& transparents, cons
 }
 
 gpu::Bindings AbsorbanceCells::bindings(const Resources& resources, gpu::Bindings own) const {
-  own.push_back({"Ranges", &resources.buffer("ranges")});
+  own.insert(own.end(), {{"Ranges", &resources.buffer("ranges")}, {"Counts", &resources.buffer("counts")}});
   return own;
 }
 

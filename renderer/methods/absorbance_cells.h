@@ -31,6 +31,8 @@ struct AbsorbanceCells {
   void draw(gpu::Pass& pass, const Picture& picture, const std::string& fragment,
             const gpu::Constants& own_constants, gpu::Bindings own_bindings,
             std::optional<Source> source = {}, std::vector<gpu::Attachment> targets = {}) const;
+  /// What splats counted: absorbance_clamped, outside_range.
+  nlohmann::json statistics(gpu::Device& device, const Resources& resources) const;
   /// What cells.glsl specialises, and what it binds.
   gpu::Constants constants(const Transparents& transparents, const gpu::Constants& own) const;
   gpu::Bindings bindings(const Resources& resources, gpu::Bindings own) const;

@@ -10,7 +10,6 @@
 #include "renderer/methods/methods.h"
 #include "renderer/methods/weighted.h"
 #include "renderer/probe.h"
-#include "shaders/methods/wavelets/sums.h"
 
 namespace plume {
 namespace {
@@ -49,7 +48,7 @@ class Wavelets final : public Method {
   Needs needs(glm::uvec2 size, const Transparents& transparents) const override {
     Needs needs;
     cells_.add_needs(needs, size);
-    needs.buffers.push_back({.name = "sums", .bytes = sizeof(shared::WaveletSums), .clear = {}});
+    needs.buffers.push_back({.name = "address", .bytes = sizeof(glm::uvec2), .clear = {}});
     needs.buffers.push_back({.name = "coefficients",
                              .bytes = cells_.count(size) * sums(transparents) * (8u << rank_),
                              .clear = 0});
@@ -62,10 +61,7 @@ class Wavelets final : public Method {
     cells_.record_ranges(picture);
     picture.frame.pass("splat", [&](gpu::Pass& pass) {
       const uint64_t address = resources.buffer("coefficients").address();
-      pass.update(
-          resources.buffer("sums"),
-          shared::WaveletSums{
-              .coefficients = {uint32_t(address), uint32_t(address >> 32)}, .clamped = 0, .outside = 0});
+      pass.update(resources.buffer("address"), glm::uvec2(uint32_t(address), uint32_t(address >> 32)));
       pass.barrier();
       const auto splat = [&](bool into_rgb, std::optional<Source> source) {
         cells_.draw(pass, picture, "methods/wavelets/splat.frag", own_constants(into_rgb),
@@ -103,8 +99,7 @@ class Wavelets final : public Method {
   }
 
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
-    const auto sums = gpu::read<shared::WaveletSums>(device, resources.buffer("sums"))[0];
-    return {{"absorbance_clamped", sums.clamped}, {"outside_range", sums.outside}};
+    return cells_.statistics(device, resources);
   }
 
  private:
@@ -121,7 +116,7 @@ class Wavelets final : public Method {
     return cells_.constants(transparents, own_constants(false));
   }
   gpu::Bindings own_bindings(const Resources& resources) const {
-    return {{"Sums", &resources.buffer("sums")}};
+    return {{"Address", &resources.buffer("address")}};
   }
   gpu::Bindings bindings(const Resources& resources) const {
     return cells_.bindings(resources, own_bindings(resources));

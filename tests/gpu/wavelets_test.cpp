@@ -184,12 +184,13 @@ TEST_F(WaveletsTest, CountsWhatItClampsAndWhatLiesOutsideTheRange) {
   add({.z = 4, .optical_depth = 15});
   add({.z = 60, .optical_depth = 1});
   const uint32_t pixels = size.x * size.y;
-  const Shot pixel = shoot({{"range", "pixel"}}), fixed = shoot({{"range", "scene"}});
-  const auto of_pixel = pixel.method.method->statistics(device, pixel.method.resources),
-             of_scene = fixed.method.method->statistics(device, fixed.method.resources);
-  EXPECT_EQ(pixels, of_pixel["absorbance_clamped"].get<uint32_t>());
-  EXPECT_EQ(0u, of_pixel["outside_range"].get<uint32_t>());
-  EXPECT_EQ(pixels, of_scene["outside_range"].get<uint32_t>());
+  for (const char* id : {"wavelets", "fourier"})
+    for (const bool scene_range : {false, true}) {
+      const Shot shot = shoot(id, {{"range", scene_range ? "scene" : "pixel"}});
+      const auto counts = shot.method.method->statistics(device, shot.method.resources);
+      EXPECT_EQ(pixels, counts["absorbance_clamped"].get<uint32_t>()) << id;
+      EXPECT_EQ(scene_range ? pixels : 0u, counts["outside_range"].get<uint32_t>()) << id;
+    }
 }
 
 TEST_F(WaveletsTest, CoarseCellsSeeWhatAnyOfTheirPixelsSees) {

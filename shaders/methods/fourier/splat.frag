@@ -1,23 +1,18 @@
 // Fourier opacity mapping, first pass over the fragments: their absorbance into the series of their cell, blended additively.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/absorbance/fragment.glsl"
+#include "methods/absorbance/splat.glsl"
 #include "methods/fourier/series.glsl"
 
-layout(early_fragment_tests) in;
-layout(scalar, binding = 8) readonly buffer Ranges { uvec2 ranges[]; };
 layout(location = 0) out vec4 series0;   // c, p_1, q_1, p_2
 layout(location = 1) out vec4 series1;   // q_2, p_3, q_3, p_4 ...
 layout(location = 2) out vec4 series2;
 layout(location = 3) out vec4 series3;
 
 void main() {
-  if (hidden()) discard;
-  const Fragment f = shade();
-  const float a = absorbance(f).r;
-  if (a <= 0.0) discard;
-  const uint cell = cell_index(uvec2(gl_FragCoord.xy));
-  const vec2 first = wave(in_period(place_in(kCellRange != 0u ? ranges[cell] : uvec2(0u), f.depth)));
+  const Splat s = splat();
+  const float a = s.absorbance.r;
+  const vec2 first = wave(in_period(s.place));
   vec2 waves[kMostPairs + 1u];
   waves[0] = vec2(1.0, 0.0);
   for (uint k = 1u; k <= kMostPairs; ++k) waves[k] = turned(first, waves[k - 1u]);

@@ -13,13 +13,12 @@
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_EXT_shader_atomic_float : require
 #include "methods/absorbance/cells.glsl"
-#include "methods/wavelets/sums.h"
 
 layout(constant_id = 6) const uint kRank = 3u;
 layout(constant_id = 7) const uint kUnfold = 1u;   // the transform is inverted before it is read
 layout(constant_id = 8) const uint kIntoRgb = 0u;  // of a splat: into the sums of each channel instead of those for all
-layout(scalar, binding = 9) buffer Sums { WaveletSums sums; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Coefficients { float c[]; };
+layout(scalar, binding = 9) readonly buffer Address { uvec2 address; };   // of coefficients: they may be more than a binding holds
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Coefficients { float c[]; };   // [cell][coefficient][sum]
 
 const uint kLeaves = 2u << kRank;   // and coefficients: the scale term, then nodes; the children of n are 2n and 2n + 1
 // Sums a coefficient: of what dims all channels alike, then, where there are channels, of what does not.
@@ -29,20 +28,20 @@ uint coefficient(uvec2 cell, uint n) { return (cell_index(cell) * kLeaves + n) *
 
 void add_to(uint at, vec3 value) {
   if (kIntoRgb != 0u)
-    for (uint c = 0u; c < 3u; ++c) atomicAdd(Coefficients(sums.coefficients).c[at + 1u + c], value[c]);
+    for (uint c = 0u; c < 3u; ++c) atomicAdd(Coefficients(address).c[at + 1u + c], value[c]);
   else
-    atomicAdd(Coefficients(sums.coefficients).c[at], value.r);
+    atomicAdd(Coefficients(address).c[at], value.r);
 }
 vec3 rgb_of(uint at) {
-  Coefficients from = Coefficients(sums.coefficients);
+  Coefficients from = Coefficients(address);
   return vec3(from.c[at + 1u], from.c[at + 2u], from.c[at + 3u]);
 }
 vec3 value_of(uint at) {
-  const float all = Coefficients(sums.coefficients).c[at];
+  const float all = Coefficients(address).c[at];
   return kChannels == 3u ? all + rgb_of(at) : vec3(all);
 }
 // Of the mean over a leaf, where unfold.comp has been.
-vec3 leaf_of(uint at) { return kChannels == 3u ? rgb_of(at) : vec3(Coefficients(sums.coefficients).c[at]); }
+vec3 leaf_of(uint at) { return kChannels == 3u ? rgb_of(at) : vec3(Coefficients(address).c[at]); }
 
 float in_leaves(float place) { return min(place, 1.0) * float(kLeaves - 1u); }
 

@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;   // z: channel
 void main() {
   const uvec2 cell = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(cell, cells()))) return;
-  Coefficients all = Coefficients(sums.coefficients);
+  Coefficients all = Coefficients(address);
   const uint first = coefficient(cell, 0u), of_channel = first + (kChannels == 3u ? 1u + gl_GlobalInvocationID.z : 0u);
   if (all.c[of_channel] + all.c[first] == 0.0) return;   // no scale term: nothing is there
   float means[kLeaves];
