@@ -33,7 +33,7 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
              .fragment = style.fragment,
              .targets = style.targets,
              .depth = style.depth_test,
-             .depth_use = style.depth_test ? gpu::DepthUse::kTest : gpu::DepthUse::kNone,
+             .depth_use = style.depth_test ? style.depth_use : gpu::DepthUse::kNone,
              .area = style.area,
              .constants = style.constants,
              .bindings = std::move(bindings),

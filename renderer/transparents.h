@@ -36,7 +36,8 @@ struct Transparents {
   struct Style {
     std::string fragment;  ///< the method's shader
     std::vector<gpu::Attachment> targets;
-    const gpu::Image* depth_test = nullptr;  ///< null: the shader tests for itself
+    const gpu::Image* depth_test = nullptr;          ///< null: the shader tests for itself
+    gpu::DepthUse depth_use = gpu::DepthUse::kTest;  ///< of `depth_test`
     const gpu::Image* opaque_depth =
         nullptr;  ///< what shade() feathers against, at the resolution of the draw
     gpu::Area area{0, 0};

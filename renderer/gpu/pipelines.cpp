@@ -45,6 +45,17 @@ vk::PipelineColorBlendAttachmentState blend_state(Blend blend) {
   return state;
 }
 
+vk::CompareOp compare_op(DepthUse depth) {
+  switch (depth) {
+    case DepthUse::kTestBehind:
+      return vk::CompareOp::eLessOrEqual;
+    case DepthUse::kWrite:
+      return vk::CompareOp::eAlways;
+    default:
+      return vk::CompareOp::eGreaterOrEqual;
+  }
+}
+
 vk::raii::ShaderModule make_module(Device& device, const std::vector<uint32_t>& words) {
   return device.vk().createShaderModule({.codeSize = words.size() * 4, .pCode = words.data()});
 }
@@ -186,8 +197,8 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
                                                                vk::SampleCountFlagBits(desc.samples)};
   const vk::PipelineDepthStencilStateCreateInfo depth{
       .depthTestEnable = desc.depth != DepthUse::kNone,
-      .depthWriteEnable = desc.depth == DepthUse::kTestAndWrite,
-      .depthCompareOp = vk::CompareOp::eGreaterOrEqual};
+      .depthWriteEnable = desc.depth == DepthUse::kTestAndWrite || desc.depth == DepthUse::kWrite,
+      .depthCompareOp = compare_op(desc.depth)};
   std::vector<vk::PipelineColorBlendAttachmentState> blends;
   std::vector<vk::Format> formats;
   for (const Target& target : desc.targets) {

@@ -35,7 +35,13 @@ struct Target {
   }
 };
 
-enum class DepthUse { kNone, kTest, kTestAndWrite };
+enum class DepthUse {
+  kNone,
+  kTest,  ///< as near or nearer
+  kTestAndWrite,
+  kTestBehind,  ///< as far or farther
+  kWrite        ///< whatever was there
+};
 
 struct GraphicsDesc {
   std::string vertex, fragment;  ///< shader names; fragment "": depth only. No vertex buffers: shaders pull

@@ -5,9 +5,12 @@
 #define PLUME_METHODS(X) \
   X(reference) \
   X(linked_list) \
+  X(peel) \
+  X(peel_dual) \
   X(sorted) \
   X(abuffer) \
   X(adaptive) \
+  X(stochastic) \
   X(wboit) \
   X(moments) \
   X(wavelets) \
