@@ -4,7 +4,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 9) uniform sampler2DMS samples;
-layout(binding = 10, rgba32f) writeonly uniform image3D kept;   // [round], a sample a channel
+layout(binding = 10, rgba32f) writeonly uniform image2DArray kept;   // a layer a round, a channel a sample
 layout(push_constant) uniform Push {
   uvec2 size;
   uint slot;

@@ -4,9 +4,9 @@
 #define PLUME_STOCHASTIC_VISIBLE_GLSL
 
 layout(constant_id = 0) const uint kRounds = 1u;
-layout(binding = 10, rgba32f) readonly uniform image3D kept;
+layout(binding = 10, rgba32f) readonly uniform image2DArray kept;
 
-const float kRounding = 1.0 + 1e-6;   // of a fragment's own depth, from one draw to the other
+const float kRounding = 1.0 + 1e-5;   // of the depths of a steep card, from one draw to the other
 
 float visible_at(ivec2 pixel, float depth) {
   const vec4 own = vec4(view.near_m / depth * kRounding);   // reversed: nearer is greater
