@@ -69,6 +69,7 @@ class Stochastic final : public Method {
                                        .depth_test = &picture.opaque_depth,
                                        .opaque_depth = &picture.opaque_depth,
                                        .area = picture.area(),
+                                       .vertex = "methods/stochastic/grown.vert",
                                        .constants = {uint32_t(passes_)},
                                        .bindings = {{"kept", &resources.image("kept")}}});
     });
@@ -108,6 +109,7 @@ class Stochastic final : public Method {
                                      .depth_use = gpu::DepthUse::kTestAndWrite,
                                      .opaque_depth = &picture.opaque_depth,
                                      .area = picture.area(),
+                                     .vertex = "methods/stochastic/grown.vert",
                                      .constants = {},
                                      .bindings = {{"Round", &resources.buffer("round")}}});
     pass.barrier();

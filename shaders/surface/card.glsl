@@ -32,17 +32,19 @@ bool bends(Card card) { return (card.motion.y >> 16) != 0u; }
 
 uint card_id() { return order[order_first + uint(int(gl_InstanceIndex) * order_step)]; }
 
-void place_card(Card card, uint id, bool drawn) {
-  if (!drawn) {
-    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);   // in front of everything that is drawn: clipped
-    return;
-  }
-  const vec2 uv = kCorners[gl_VertexIndex];
+void place_vertex(Card card, uint id, vec2 uv) {
   const vec3 world = card.center + card.axis_u * uv.x + card.axis_v * uv.y;
   gl_Position = view.view_projection * vec4(world, 1.0);
   gl_Position.xy = (gl_Position.xy + gl_Position.w) * covered - gl_Position.w;
   v_uv_depth = vec3(uv, dot(world - view.camera, view.forward));
   set_varyings(card, id);
+}
+
+void place_nothing() { gl_Position = vec4(0.0, 0.0, -1.0, 1.0); }   // in front of everything that is drawn: clipped
+
+void place_card(Card card, uint id, bool drawn) {
+  if (drawn) place_vertex(card, id, kCorners[gl_VertexIndex]);
+  else place_nothing();
 }
 
 // Of what can be seen.

@@ -52,13 +52,11 @@ class PeelTest : public AvboitTest {
                           glm::unpackHalf2x16(words.y).x);
       };
       const double coverage = 1 - std::exp(-double(card.optical_depth));
-      light += through * (coverage * unpack(card.ambient) + unpack(card.emission) * kHeat);
+      light += through * coverage * unpack(card.ambient);
       through *= 1.0 - coverage * (1.0 - unpack(card.transmission));
     }
     return light;
   }
-  static constexpr double kHeat = 1.0;  // of a texture of the mean density, fully open
-
   static void expect_everywhere(const Image& image, glm::dvec3 expected, double tolerance) {
     for (size_t i = 0; i < image.pixels.size(); ++i)
       for (int c = 0; c < 3; ++c) ASSERT_NEAR(expected[c], image.pixels[i][c], tolerance) << "pixel " << i;

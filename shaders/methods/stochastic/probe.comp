@@ -8,4 +8,4 @@ layout(scalar, binding = 0) uniform View { ViewData view; };
 #include "methods/stochastic/visible.glsl"
 #include "probe/probe.glsl"
 
-vec3 probe_transmittance(uvec2 pixel, float depth) { return vec3(visible_at(ivec2(pixel), depth)); }
+vec3 probe_transmittance(uvec2 pixel, float depth) { return vec3(visible_at(ivec2(pixel), view.near_m / depth)); }

@@ -3,12 +3,13 @@
 // and the depth test keeps the nearest that covers each. Choices of different fragments are independent, so a sample is left to what
 // lies at z with a probability of prod (1 - a) over those in front: their transmittance.
 //
-// All samples get the depth at the pixel's centre, and a fragment whose centre lies off the card is none: a pixel holds the same
-// fragments as in every other method. Limits: samples of a pixel that a card's edge crosses stay free where the card misses them.
+// All samples get the depth at the pixel's centre, cards come grown by a pixel (grown.vert), and a fragment whose centre lies off the
+// card is none: a pixel holds the same fragments as in every other method, and at edges too each offers itself to all its samples.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "shared/hash.h"
+#include "methods/stochastic/plane_depth.glsl"
 #include "methods/stochastic/stochastic.h"
 
 layout(scalar, binding = 8) readonly buffer Round { StochasticRound round_; };
@@ -29,7 +30,7 @@ uint random_mask(float alpha, uint bits, uint choice) {
 }
 
 void main() {
-  if (any(greaterThan(abs(v_uv_depth.xy), vec2(1.0)))) discard;
+  if (!on_card()) discard;
   const float alpha = coverage_of(density(puff_texel())) * (1.0 - dot(v_transmission.rgb, vec3(1.0 / 3.0)));
   const uvec2 pixel = uvec2(gl_FragCoord.xy);
   const uint drawing = hash_pair(view.tick, hash_pair(round_.round, round_.seed));
@@ -37,5 +38,5 @@ void main() {
   const uint mask = random_mask(alpha, bits, hash(bits));
   if (mask == 0u) discard;
   gl_SampleMask[0] = int(mask);
-  gl_FragDepth = view.near_m / v_uv_depth.z;
+  gl_FragDepth = plane_depth();
 }

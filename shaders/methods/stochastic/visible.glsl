@@ -6,10 +6,8 @@
 layout(constant_id = 0) const uint kRounds = 1u;
 layout(binding = 10, rgba32f) readonly uniform image2DArray kept;
 
-const float kRounding = 1.0 + 1e-5;   // of the depths of a steep card, from one draw to the other
-
-float visible_at(ivec2 pixel, float depth) {
-  const vec4 own = vec4(view.near_m / depth * kRounding);   // reversed: nearer is greater
+float visible_at(ivec2 pixel, float window_depth) {   // reversed: nearer is greater
+  const vec4 own = vec4(window_depth);
   vec4 seen = vec4(0.0);
   for (uint i = 0u; i < kRounds; ++i)
     seen += mix(vec4(0.0), vec4(1.0), lessThanEqual(imageLoad(kept, ivec3(pixel, i)), own));

@@ -1,0 +1,16 @@
+// The window depth of a card's plane at the centre of the pixel. The interpolated depth of a steep card is rounded differently in a
+// multisampled draw and in another, so that it would lie behind itself.
+#ifndef PLUME_STOCHASTIC_PLANE_DEPTH_GLSL
+#define PLUME_STOCHASTIC_PLANE_DEPTH_GLSL
+
+layout(location = 7) flat in vec3 v_inverse_depth;
+
+bool on_card() { return all(lessThanEqual(abs(v_uv_depth.xy), vec2(1.0))); }   // and not on what it was grown by
+
+float plane_depth() {
+  precise const vec2 ndc = gl_FragCoord.xy / vec2(view.size) * 2.0 - 1.0;
+  precise const float inverse = v_inverse_depth.x + v_inverse_depth.y * ndc.x + v_inverse_depth.z * ndc.y;
+  return view.near_m * inverse;
+}
+
+#endif
