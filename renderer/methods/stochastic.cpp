@@ -1,13 +1,17 @@
 // Stochastic transparency: fragments cover random samples of their pixel, as many as they are opaque, and the
-// depth test sorts what covers. Enderton, Sintorn, Shirley and Luebke, "Stochastic Transparency", I3D 2010:
-// in rounds of a multisampled depth buffer each, then every fragment is weighted by the share of samples it
-// is not behind (section 4.2) and, with alpha correction, normalised to the exact total alpha (section 4.3).
-// The equations are in shaders/methods/stochastic/.
+// depth test sorts what covers. Enderton, Sintorn, Shirley and Luebke, "Stochastic Transparency", I3D 2010,
+// section 3, with all that it adds to the idea: samples are stratified; rounds of a multisampled depth buffer
+// each are drawn first, then every fragment is weighted by the share of samples it is not behind
+// (depth-based); total alpha is exact, and the weights are normalised to it (alpha correction). The equations
+// are in shaders/methods/stochastic/.
 //
-// Without the correction the expectation of the picture is the exact one, for gray transmission. With it the
-// noise is less and the expectation slightly off: a ratio of two estimates is.
+// Without the correction the weights are believed as they are. The expectation of the picture is then the
+// exact one, for gray transmission: the average over samples of the nearest surviving fragment's colour has
+// the same, with more noise. With it the noise is less and the expectation slightly off: a ratio of two
+// estimates is.
 //
-// Limits: noise, which falls with the square root of the number of samples.
+// Limits: noise, which falls with the square root of the number of samples. Fragments of one depth do not
+// hide each other.
 #include "shaders/methods/stochastic/stochastic.h"
 
 #include "renderer/methods/methods.h"
@@ -21,12 +25,13 @@ class Stochastic final : public Method {
  public:
   std::string_view id() const override { return "stochastic"; }
   Traits traits() const override {
-    return {.title = "Stochastic transparency",
-            .source = "Enderton, Sintorn, Shirley and Luebke, I3D 2010, sections 3.1, 4.2 and 4.3",
-            .transmission = "the mean of RGB",
-            .emission = "in the weighted average where covered; added as far as it is seen where not",
-            .limits = "noise, which falls with the square root of the number of samples",
-            .street_rmse = 0.052};
+    return {
+        .title = "Stochastic transparency",
+        .source = "Enderton, Sintorn, Shirley and Luebke, I3D 2010, section 3: depth-based, alpha-corrected",
+        .transmission = "the mean of RGB",
+        .emission = "in the weighted average where covered; added as far as it is seen where not",
+        .limits = "noise, which falls with the square root of the number of samples",
+        .street_rmse = 0.052};
   }
 
   void visit(ParameterVisitor& visitor) override {

@@ -16,14 +16,14 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 TEST_F(FrameTest, PassTimesAddUpToTheFramesWallTimeOnACpuDevice) {
   if (!device.info().is_cpu) GTEST_SKIP() << "on a GPU the wall time holds more than the passes";
   Stage stage(device, pipelines, library, library.scene("street"));
-  const Targets targets(device, {640, 360});
+  const Targets targets(device, {320, 180});
   stage.go_to(stage.scene().default_tick, targets.size);
   for (const std::string& id : method_ids()) {
     MethodInstance method = instance(id);
     draw(stage, targets, method);  // makes pipelines and grows pools
     double best =
         0;  // another process may hold the machine for a moment: the best of three repetitions counts
-    for (int repetition = 0; repetition < 3; ++repetition) {
+    for (int repetition = 0; repetition < 3 && best <= 0.8; ++repetition) {
       const auto start = std::chrono::steady_clock::now();
       const FrameReport report =
           render_frame(device, pipelines, targets, stage.prelude(), stage.transparents(), method);

@@ -1,6 +1,8 @@
 // Stochastic transparency, accumulation: every fragment is weighted by the share V of the samples that it is not behind,
-//   image = sum C a V [prod-corrected: * (1 - T) / sum a V] + background T
-// (Enderton et al., sections 4.2 and 4.3).
+//   image = sum C a V (1 - T) / sum a V + background T        T = prod (1 - a)
+// (Enderton et al., I3D 2010, section 3), or without the alpha correction, and so without the fraction,
+//   image = sum C a V + background T
+// The composite is methods/weighted/resolve.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"

@@ -1,5 +1,5 @@
 // Stochastic transparency, depth: a fragment covers a random choice of its pixel's samples, each with a probability of its coverage a,
-//   floor(S a + xi) of the S samples, xi uniform in [0, 1)       (stratified: Enderton et al., section 3.1)
+//   floor(S a + xi) of the S samples, xi uniform in [0, 1)       (stratified; Enderton et al., I3D 2010, section 3)
 // and the depth test keeps the nearest that covers each. Choices of different fragments are independent, so a sample is left to what
 // lies at z with a probability of prod (1 - a) over those in front: their transmittance.
 //
