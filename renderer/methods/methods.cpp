@@ -5,6 +5,7 @@
 #define PLUME_METHODS(X) \
   X(reference) \
   X(linked_list) \
+  X(tile_sorted) \
   X(peel) \
   X(peel_dual) \
   X(sorted) \

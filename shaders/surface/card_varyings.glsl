@@ -1,4 +1,4 @@
-// What is the same all over a card, unpacked into the varyings of surface/card.glsl or their namesakes of surface/card_at.glsl.
+// What is the same all over a card, unpacked into the varyings of surface/card.glsl.
 #ifndef PLUME_SURFACE_CARD_VARYINGS_GLSL
 #define PLUME_SURFACE_CARD_VARYINGS_GLSL
 

@@ -10,9 +10,11 @@ layout(location = 4) flat in vec4 v_transmission;
 layout(location = 5) flat in vec3 v_light;
 layout(location = 6) flat in uvec3 v_layers_id;
 
-ivec2 shaded_pixel() { return ivec2(gl_FragCoord.xy); }
+float opaque_here();   // near_m / view depth of the opaque surface; 0 = sky
 
 #include "surface/shading.glsl"
+
+float opaque_here() { return texelFetch(opaque_depth, ivec2(gl_FragCoord.xy), 0).r; }
 
 Fragment shade() {
   const vec4 texel = puff_texel();

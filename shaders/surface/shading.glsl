@@ -1,6 +1,6 @@
 // What a transparent fragment is, for every method alike: they share this, and what they do with it is the method.
-// It needs the varyings v_... of a card and shaded_pixel() declared: surface/shade.glsl takes them from the rasteriser,
-// surface/card_at.glsl finds them in a compute shader.
+// It needs the varyings v_... of a card and opaque_here() declared: surface/shade.glsl takes them from the rasteriser,
+// surface/shade_at.glsl is told them in a compute shader.
 //
 // A texel of the puff textures holds (optical depth / kTextureDepth, normal u, normal v, openness); see effects/puff_encode.comp.
 // Coverage is 1 - exp(-tau); a fragment lets 1 - coverage * (1 - transmission) of the light behind it pass, per channel.
@@ -35,8 +35,7 @@ vec4 puff_texel() { return puff_texel(vec2(0.0)); }
 
 // 1 far in front of the opaque surface, 0 on it.
 float feather() {
-  const float opaque = texelFetch(opaque_depth, shaded_pixel(), 0).r;   // near_m / view depth; 0 = sky
-  const float gap = view.near_m / max(opaque, 1e-9) - v_uv_depth.z;
+  const float gap = view.near_m / max(opaque_here(), 1e-9) - v_uv_depth.z;
   return v_emission.a > 0.0 ? clamp(gap * v_emission.a, 0.0, 1.0) : 1.0;
 }
 

@@ -1,0 +1,48 @@
+// Which cards join the tiles, and their sort keys: view depth as an unsigned integer of the same order; the value is the card's
+// index. A card joins when it faces the camera, so that one depth holds all over it. What is tilted is drawn and captured instead.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "methods/tile_sorted/tile_sorted.h"
+#include "shared/card.h"
+#include "shared/draw_command.h"
+#include "shared/view.h"
+
+layout(local_size_x = 256) in;
+layout(scalar, binding = 0) uniform View { ViewData view; };
+layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
+layout(scalar, binding = 8) writeonly buffer Pairs { uvec2 pairs[]; };
+layout(scalar, binding = 9) buffer Totals { TileTotals totals; };
+layout(scalar, binding = 10) buffer TiltedDraw { DrawCommand tilted_draw; };
+layout(scalar, binding = 11) writeonly buffer TiltedOrder { uint tilted_order[]; };
+layout(push_constant) uniform Push { uint count; };
+
+const float kFacing = 1e-5;   // of a card's size: what it may lean, above rounding
+
+bool faces_camera(Card card) {
+  return abs(dot(card.axis_u, view.forward)) <= kFacing * length(card.axis_u) &&
+         abs(dot(card.axis_v, view.forward)) <= kFacing * length(card.axis_v);
+}
+
+// The box around a facing card meets the picture.
+bool is_on_screen(Card card, float depth) {
+  const vec3 arm = card.center - view.camera;
+  const vec2 at = vec2(dot(arm, view.right), dot(arm, view.up));
+  const vec2 reach = abs(vec2(dot(card.axis_u, view.right), dot(card.axis_u, view.up))) +
+                     abs(vec2(dot(card.axis_v, view.right), dot(card.axis_v, view.up)));
+  return depth >= view.near_m && all(lessThan(abs(at) - reach, view.tan_half_fov * depth));
+}
+
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i >= count) return;
+  const Card card = cards[i];
+  const bool shows = card.optical_depth > 0.0 || card.emission != uvec2(0u), faces = faces_camera(card);
+  const float depth = dot(card.center - view.camera, view.forward);
+  const bool joins = shows && faces && is_on_screen(card, depth);
+  pairs[i] = uvec2(joins ? floatBitsToUint(depth) : kNotInTiles, i);
+  if (joins) atomicAdd(totals.cards, 1u);
+  if (shows && !faces) {
+    tilted_order[atomicAdd(tilted_draw.instances, 1u)] = i;
+    atomicAdd(totals.tilted, 1u);
+  }
+}

@@ -1,0 +1,46 @@
+// What the passes of tile-sorted compute hand to each other.
+#ifndef PLUME_METHODS_TILE_SORTED_H
+#define PLUME_METHODS_TILE_SORTED_H
+
+#include "shared/types.h"
+
+PLUME_SHARED_BEGIN
+
+const uint kNotInTiles = 0xffffffffu;  // sort key of cards that no tile lists; those that it does are nearer
+const uint kBoundSpan = 256u;          // cards that share one bound of what lies behind
+const uint kMaskSpan = 32u;            // words of a tile's mask that one thread counts
+
+// A card that faces the camera, on the screen: uv = pixel_to_uv (pixel - center), 1 at its edges. In whole
+// vec4s, which devices load at once; colours as set_varyings() would unpack them.
+struct TileCard {
+  vec4 pixel_to_uv;   // row by row
+  vec2 center;        // pixels
+  float depth;        // view depth, m
+  float most_behind;  // radiance that this card and all behind it can add at most
+  vec4 sunlit;        // a: blend between the two layers
+  vec4 ambient;       // a: optical depth
+  vec4 emission;      // a: 1 / feather
+  vec3 transmission;
+  uint layers;
+  vec3 light;
+  uint id;
+};
+
+struct TileTotals {
+  uint cards;           // in tiles
+  uint tilted;          // not facing the camera: captured pixel by pixel
+  uint entries;         // of all tiles' lists: beyond `capacity` they were counted, not stored
+  uint capacity;        // of `entries`
+  uvec2 address;        // of uint[capacity]: lists outgrow the range of a descriptor
+  uint stopped_pixels;  // which nothing behind could change any more
+};
+
+struct TileGrid {
+  uvec2 tiles;
+  uint cards;
+  uint words;  // of a tile's mask: a bit a card
+  uint spans;  // of kMaskSpan words
+};
+
+PLUME_SHARED_END
+#endif
