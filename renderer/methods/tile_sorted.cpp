@@ -25,7 +25,7 @@ namespace {
 using shared::TileGrid;
 using shared::TileTotals;
 
-constexpr std::array<std::string_view, 3> kTileNames = {"8", "16", "32"};
+constexpr std::array<std::string_view, 3> kTileNames = {"16", "32", "64"};
 constexpr uint64_t kLongestBinding = 1u << 27;  // bytes a shader may bind at once on every device
 
 struct Grid : TileGrid {
@@ -83,8 +83,8 @@ class TileSorted final : public Method {
     const auto& subgroup = properties.get<vk::PhysicalDeviceSubgroupProperties>();
     using Feature = vk::SubgroupFeatureFlagBits;
     constexpr auto kNeeded = Feature::eBasic | Feature::eVote | Feature::eArithmetic | Feature::eBallot;
-    if ((subgroup.supportedOperations & kNeeded) == kNeeded && subgroup.subgroupSize <= 64) return {};
-    return {"subgroup vote, arithmetic and ballot in groups of at most 64"};
+    if ((subgroup.supportedOperations & kNeeded) == kNeeded && subgroup.subgroupSize <= 32) return {};
+    return {"subgroup vote, arithmetic and ballot in groups of at most 32"};
   }
 
   Needs needs(glm::uvec2 size, const Transparents& transparents) const override {
@@ -163,7 +163,8 @@ class TileSorted final : public Method {
       };
       pass.dispatch(pass.pipelines().compute("methods/tile_sorted/walk.comp", {grid.tile, tilted_ ? 1u : 0u}),
                     bindings, Push{.grid = grid, .stop_below = stop_below_},
-                    {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
+                    {gpu::groups(picture.size.x, shared::kWalkSquare),
+                     gpu::groups(picture.size.y, shared::kWalkSquare), 1});
     });
     drawn_tile_ = grid.tile;
   }
@@ -200,7 +201,7 @@ class TileSorted final : public Method {
 
  private:
   Grid grid_of(glm::uvec2 size, const Transparents& transparents) const {
-    return Grid(8u << tile_, size, transparents.count);
+    return Grid(shared::kWalkSquare << tile_, size, transparents.count);
   }
   static uint32_t bound_spans(uint32_t cards) { return std::max(gpu::groups(cards, shared::kBoundSpan), 1u); }
 
@@ -258,7 +259,7 @@ class TileSorted final : public Method {
     return bindings;
   }
 
-  int tile_ = 1;
+  int tile_ = 0;
   float stop_below_ = 1e-4f;
   uint32_t capacity_ = 1u << 12, tilted_capacity_ = 1u << 10;
   bool tilted_ = false;  ///< there are fragments of tilted cards to capture and to join

@@ -33,24 +33,21 @@ void main() {
 
   TileCard placed;
   placed.pixel_to_uv = vec4(v.y, -v.x, -u.y, u.x) / area;
-  placed.center = 0.5 * vec2(view.size) + on_screen(card.center - view.camera) * pixels_a_metre;
-  placed.depth = depth;
-  placed.most_behind = behind.x + behind.y;
+  const vec2 center = 0.5 * vec2(view.size) + on_screen(card.center - view.camera) * pixels_a_metre;
+  placed.place = vec4(center, depth, behind.x + behind.y);
   placed.sunlit = unpack_half4(card.sunlit);
   placed.ambient = vec4(unpack_half4(card.ambient).rgb, card.optical_depth);
   placed.emission = vec4(unpack_half4(card.emission).rgb, card.inv_feather);
-  placed.transmission = unpack_half4(card.transmission).rgb;
-  placed.layers = card.layers;
-  placed.light = unpack_half4(card.light).xyz;
-  placed.id = id;
+  placed.transmission = vec4(unpack_half4(card.transmission).rgb, uintBitsToFloat(card.layers));
+  placed.light = vec4(unpack_half4(card.light).xyz, uintBitsToFloat(id));
   tile_cards[rank] = placed;
 
   const vec2 reach = abs(u) + abs(v), last = vec2(grid.tiles) - 1.0;
-  const uvec2 low = uvec2(clamp((placed.center - reach) / float(kTile), vec2(0.0), last));
-  const uvec2 high = uvec2(clamp((placed.center + reach) / float(kTile), vec2(0.0), last));
+  const uvec2 low = uvec2(clamp((center - reach) / float(kTile), vec2(0.0), last));
+  const uvec2 high = uvec2(clamp((center + reach) / float(kTile), vec2(0.0), last));
   const uint word = rank / 32u, bit = 1u << (rank % 32u);
   for (uint y = low.y; y <= high.y; ++y)
     for (uint x = low.x; x <= high.x; ++x)
-      if (touches(placed.pixel_to_uv, placed.center, (vec2(x, y) + 0.5) * float(kTile), vec2(0.5 * float(kTile))))
+      if (touches(placed.pixel_to_uv, center, (vec2(x, y) + 0.5) * float(kTile), vec2(0.5 * float(kTile))))
         atomicOr(masks[(y * grid.tiles.x + x) * grid.words + word], bit);
 }

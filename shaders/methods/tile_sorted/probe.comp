@@ -17,7 +17,7 @@ vec3 probe_transmittance(uvec2 pixel, float depth) {
   for (uint at = range.x; at < range.y; ++at) {
     const TileCard card = tile_cards[Entries(totals.address).ranks[at]];
     Fragment f;
-    if (card.depth < depth && fragment_of(card, vec2(pixel) + 0.5, opaque, f)) t *= transmittance(f);
+    if (card.place.z < depth && fragment_of(card, vec2(pixel) + 0.5, opaque, f)) t *= transmittance(f);
   }
   if (kTilted == 0u) return t;
   Nodes list = Nodes(pool.address);

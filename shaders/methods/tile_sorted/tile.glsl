@@ -12,20 +12,22 @@ uvec2 list_of(uint tile, uint spans) {
   return min(uvec2(counts[tile * spans], counts[(tile + 1u) * spans]), totals.capacity);
 }
 
+uint id_of(TileCard card) { return floatBitsToUint(card.light.w); }
+
 // The fragment of a card at a pixel's centre; false where it has none, or where it is behind the opaque surface.
 bool fragment_of(TileCard card, vec2 center, float opaque, out Fragment fragment) {
-  const vec2 uv = uv_at(card.pixel_to_uv, center - card.center);
-  v_uv_depth = vec3(uv, card.depth);
+  const vec2 uv = uv_at(card.pixel_to_uv, center - card.place.xy);
+  v_uv_depth = vec3(uv, card.place.z);
   v_sunlit = card.sunlit;
   v_ambient = card.ambient;
   v_emission = card.emission;
-  v_transmission = vec4(card.transmission, 0.0);
-  v_light = card.light;
-  const uint layer_mask = (1u << kLayerBits) - 1u;
-  v_layers_id = uvec3(card.layers & layer_mask, (card.layers >> kLayerBits) & layer_mask, card.id);
+  v_transmission = card.transmission;
+  v_light = card.light.xyz;
+  const uint layers = floatBitsToUint(card.transmission.w), layer_mask = (1u << kLayerBits) - 1u;
+  v_layers_id = uvec3(layers & layer_mask, (layers >> kLayerBits) & layer_mask, id_of(card));
   v_opaque = opaque;
   return shade_at(fragment) && all(greaterThanEqual(uv, vec2(-1.0))) && all(lessThan(uv, vec2(1.0))) &&
-         card.depth * opaque <= view.near_m;
+         card.place.z * opaque <= view.near_m;
 }
 
 #endif

@@ -8,22 +8,19 @@ PLUME_SHARED_BEGIN
 
 const uint kNotInTiles = 0xffffffffu;  // sort key of cards that no tile lists; those that it does are nearer
 const uint kBoundSpan = 256u;          // cards that share one bound of what lies behind
+const uint kWalkSquare = 16u;          // pixels, each way, of one work group
 const uint kMaskSpan = 32u;            // words of a tile's mask that one thread counts
 
-// A card that faces the camera, on the screen: uv = pixel_to_uv (pixel - center), 1 at its edges. In whole
+// A card that faces the camera, on the screen: uv = pixel_to_uv (pixel - center), 1 at its edges. Whole
 // vec4s, which devices load at once; colours as set_varyings() would unpack them.
 struct TileCard {
   vec4 pixel_to_uv;   // row by row
-  vec2 center;        // pixels
-  float depth;        // view depth, m
-  float most_behind;  // radiance that this card and all behind it can add at most
+  vec4 place;         // centre in pixels, view depth in metres, most radiance of this and all behind it
   vec4 sunlit;        // a: blend between the two layers
   vec4 ambient;       // a: optical depth
   vec4 emission;      // a: 1 / feather
-  vec3 transmission;
-  uint layers;
-  vec3 light;
-  uint id;
+  vec4 transmission;  // a: the bits of Card::layers
+  vec4 light;         // a: the bits of the card's index
 };
 
 struct TileTotals {

@@ -1,11 +1,12 @@
-// Tile-sorted compute: a thread a pixel walks its tile's list front to back and composites in registers,
+// Tile-sorted compute: threads walk their tile's list front to back and composite in registers,
 //   image = sum_i L_i prod_{j<i} t_j  +  background prod_i t_i,
-// until what is still behind cannot change the pixel by stop_below:  max(t) (brightest behind + all that shines behind) < stop_below.
-// The threads of a subgroup share a few neighbouring pixels: each tests one card of the list against all of these, and together
-// they shade those that touch, so that no thread takes another road than its neighbours.
+// until what is still behind cannot change a pixel by stop_below:  max(t) (brightest behind + all that shines behind) < stop_below.
+// The threads of a subgroup share a block of pixels: each tests one card of the list against it, and together they shade those
+// that touch it, so that no thread takes another road than its neighbours. A thread has several pixels for each card it reads.
 // Fragments of tilted cards wait in the pixel's linked list, sorted; they join where their depth says.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -13,7 +14,7 @@
 #include "methods/fragment_list/sort.glsl"
 #include "methods/tile_sorted/tile.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 64) in;   // for a square of kWalkSquare pixels, each way
 layout(constant_id = 0) const uint kTile = 16u;     // pixels
 layout(constant_id = 1) const uint kTilted = 0u;    // there are fragments of tilted cards
 layout(binding = 13) uniform sampler2D opaque_color;
@@ -23,78 +24,120 @@ layout(push_constant, scalar) uniform Push {
   float stop_below;   // radiance as exposed
 };
 
-vec3 light = vec3(0.0), through = vec3(1.0);
+const uint kPixels = kWalkSquare * kWalkSquare / 64u;   // a thread
+const uint kBatch = 32u;   // cards tested before any is shaded; subgroups have no more threads
 
-void composite(vec3 l, vec3 t) {
-  light += l * through;
-  through *= t;
+struct Pixel {
+  vec3 light, through;
+  vec2 center;
+  float opaque;       // near_m / view depth
+  float background;   // its brightest channel
+  uint node;          // the next fragment of a tilted card
+  float node_depth;
+  bool done;
+};
+
+void composite(inout Pixel p, vec3 l, vec3 t) {
+  p.light += l * p.through;
+  p.through *= t;
 }
 
-// Fragments of tilted cards, front to back.
-uint node = kListEnd;
-float node_depth;
-
-void take_tilted_before(float depth, uint id) {
+void take_tilted_before(inout Pixel p, float depth, uint id) {
   Nodes list = Nodes(pool.address);
-  while (node != kListEnd && (node_depth < depth || (node_depth == depth && list.nodes[node].id < id))) {
-    composite(list.nodes[node].light, list.nodes[node].transmittance);
-    node = list.nodes[node].next;
-    if (node != kListEnd) node_depth = list.nodes[node].depth;
+  while (p.node != kListEnd && (p.node_depth < depth || (p.node_depth == depth && list.nodes[p.node].id < id))) {
+    composite(p, list.nodes[p.node].light, list.nodes[p.node].transmittance);
+    p.node = list.nodes[p.node].next;
+    if (p.node != kListEnd) p.node_depth = list.nodes[p.node].depth;
   }
 }
 
 float brightest(vec3 c) { return max(c.r, max(c.g, c.b)); }
 
+// Every second bit of the lowest eight.
+uint half_bits(uint i) { return (i & 1u) | (i >> 1u & 2u) | (i >> 2u & 4u) | (i >> 3u & 8u); }
+
+// Bits of an index are those of x and y in turn: any run of threads has a block.
+uvec2 pixel_of(uint p) {
+  const uint i = (gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID) * kPixels + p;
+  return gl_WorkGroupID.xy * kWalkSquare + uvec2(half_bits(i), half_bits(i >> 1u));
+}
+
 void main() {
-  // Bits of the thread's index are those of x and y in turn, x first: any run of threads is a block.
-  const uint i = gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
-  const uvec2 within = uvec2((i & 1u) | (i >> 1u & 2u) | (i >> 2u & 4u), (i >> 1u & 1u) | (i >> 2u & 2u) | (i >> 3u & 4u));
-  const uvec2 pixel = gl_WorkGroupID.xy * 8u + within;
-  const bool inside = all(lessThan(pixel, view.size));
-  const vec2 center = vec2(pixel) + 0.5;
-  const float opaque = texelFetch(opaque_depth, ivec2(min(pixel, view.size - 1u)), 0).r;
-  const vec3 background = texelFetch(opaque_color, ivec2(min(pixel, view.size - 1u)), 0).rgb;
-
-  const vec2 low = subgroupMin(center), high = subgroupMax(center);
-  const vec2 block = 0.5 * (low + high), half_block = 0.5 * (high - low);
-  const float farthest = subgroupMin(opaque);   // as near_m / view depth
-  bool done = !inside;
-  if (kTilted != 0u && inside && pool.count <= pool.capacity) {
-    node = sort(Nodes(pool.address), heads[pixel.y * view.size.x + pixel.x]);
-    heads[pixel.y * view.size.x + pixel.x] = node;
-    if (node != kListEnd) node_depth = Nodes(pool.address).nodes[node].depth;
-  }
-
-  const uvec2 tile = gl_WorkGroupID.xy * 8u / kTile;
-  const uvec2 range = list_of(tile.y * grid.tiles.x + tile.x, grid.spans);
-  bool stopped = false;
-  for (uint at = range.x; at < range.y && !subgroupAll(done); at += gl_SubgroupSize) {
-    const uint mine = at + gl_SubgroupInvocationID;
-    bool in_front = false, touching = false;
-    if (mine < range.y) {
-      const uint rank = Entries(totals.address).ranks[mine];
-      in_front = tile_cards[rank].depth * farthest <= view.near_m;
-      touching = in_front && touches(tile_cards[rank].pixel_to_uv, tile_cards[rank].center, block, half_block);
+  Pixel pixels[kPixels];
+  vec2 low = vec2(1e9), high = vec2(0.0);
+  float farthest = 1e9;   // opaque surface, as near_m / view depth
+  bool all_done = true;
+  [[unroll]] for (uint p = 0u; p < kPixels; ++p) {
+    const uvec2 at = pixel_of(p), clamped = min(at, view.size - 1u);
+    pixels[p].light = vec3(0.0);
+    pixels[p].through = vec3(1.0);
+    pixels[p].center = vec2(at) + 0.5;
+    pixels[p].opaque = texelFetch(opaque_depth, ivec2(clamped), 0).r;
+    pixels[p].background = brightest(texelFetch(opaque_color, ivec2(clamped), 0).rgb);
+    pixels[p].node = kListEnd;
+    pixels[p].done = at != clamped;
+    if (kTilted != 0u && !pixels[p].done && pool.count <= pool.capacity) {
+      const uint ray = at.y * view.size.x + at.x;
+      pixels[p].node = sort(Nodes(pool.address), heads[ray]);
+      heads[ray] = pixels[p].node;
+      if (pixels[p].node != kListEnd) pixels[p].node_depth = Nodes(pool.address).nodes[pixels[p].node].depth;
     }
-    if (!subgroupAny(in_front)) break;   // neither is anything after these
-    uvec2 hits = subgroupBallot(touching).xy;
-    while (hits != uvec2(0u)) {
-      const uint hit = hits.x != 0u ? uint(findLSB(hits.x)) : 32u + uint(findLSB(hits.y));
-      if (hits.x != 0u) hits.x &= hits.x - 1u;
-      else hits.y &= hits.y - 1u;
-      const TileCard card = tile_cards[Entries(totals.address).ranks[at + hit]];
-      if (kTilted != 0u && !done) take_tilted_before(card.depth, card.id);
-      Fragment f;
-      if (fragment_of(card, center, opaque, f) && !done) {
-        composite(f.color + f.emission, transmittance(f));
-        stopped = brightest(through) * (card.most_behind + brightest(background)) * view.exposure < stop_below;
-        done = done || stopped;
+    all_done = all_done && pixels[p].done;
+    low = min(low, pixels[p].center);
+    high = max(high, pixels[p].center);
+    farthest = min(farthest, pixels[p].opaque);
+  }
+  low = subgroupMin(low), high = subgroupMax(high);
+  const vec2 block = 0.5 * (low + high), half_block = 0.5 * (high - low);
+  farthest = subgroupMin(farthest);
+
+  const uvec2 tile = gl_WorkGroupID.xy * kWalkSquare / kTile;
+  const uvec2 range = list_of(tile.y * grid.tiles.x + tile.x, grid.spans);
+  Entries list = Entries(totals.address);
+  uint stopped = 0u;
+  for (uint at = range.x; at < range.y && !subgroupAll(all_done); at += kBatch) {
+    uint hits = 0u;
+    bool any_in_front = false;
+    for (uint first = 0u; first < kBatch; first += gl_SubgroupSize) {
+      const uint mine = at + first + gl_SubgroupInvocationID;
+      bool in_front = false, touching = false;
+      if (mine < range.y) {
+        const uint rank = list.ranks[mine];
+        const vec4 place = tile_cards[rank].place;
+        in_front = place.z * farthest <= view.near_m;
+        touching = in_front && touches(tile_cards[rank].pixel_to_uv, place.xy, block, half_block);
+      }
+      any_in_front = any_in_front || in_front;
+      hits |= subgroupBallot(touching).x << first;
+    }
+    if (!subgroupAny(any_in_front)) break;   // neither is anything after these
+    while (hits != 0u) {
+      const uint hit = uint(findLSB(hits));
+      hits &= hits - 1u;
+      const TileCard card = tile_cards[list.ranks[at + hit]];
+      all_done = true;
+      [[unroll]] for (uint p = 0u; p < kPixels; ++p) {
+        if (kTilted != 0u && !pixels[p].done) take_tilted_before(pixels[p], card.place.z, id_of(card));
+        Fragment f;
+        if (fragment_of(card, pixels[p].center, pixels[p].opaque, f) && !pixels[p].done) {
+          composite(pixels[p], f.color + f.emission, transmittance(f));
+          if (brightest(pixels[p].through) * (card.place.w + pixels[p].background) * view.exposure < stop_below) {
+            pixels[p].done = true;
+            pixels[p].node = kListEnd;
+            ++stopped;
+          }
+        }
+        all_done = all_done && pixels[p].done;
       }
     }
   }
-  if (kTilted != 0u && !stopped) take_tilted_before(1.0 / 0.0, 0u);
-
-  const uint stops = subgroupAdd(stopped ? 1u : 0u);
+  [[unroll]] for (uint p = 0u; p < kPixels; ++p) {
+    if (kTilted != 0u) take_tilted_before(pixels[p], 1.0 / 0.0, 0u);
+    const uvec2 at = pixel_of(p);
+    if (any(greaterThanEqual(at, view.size))) continue;
+    const vec3 background = texelFetch(opaque_color, ivec2(at), 0).rgb;
+    imageStore(result, ivec2(at), vec4(pixels[p].light + background * pixels[p].through, 1.0));
+  }
+  const uint stops = subgroupAdd(stopped);
   if (subgroupElect() && stops != 0u) atomicAdd(totals.stopped_pixels, stops);
-  if (inside) imageStore(result, ivec2(pixel), vec4(light + background * through, 1.0));
 }
