@@ -5,6 +5,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "renderer/gpu/frame.h"
 
@@ -22,6 +23,14 @@ constexpr uint32_t kSources = 3;
 /// Of something seen that passes this share of light where it covers.
 Source source_of(glm::vec3 transmission);
 
+/// What an artist or a CPU orders as a whole: one pane, or the particles of one emitter of an instance,
+/// oldest first.
+struct CardGroup {
+  uint32_t first, count;  ///< of the cards
+  float depth;            ///< view depth of where it stands, m
+  int draw_order;         ///< the artist's: lower ones are drawn first, behind
+};
+
 /// The cards of one tick and what shading them needs. Owned by whoever fills them; methods only draw.
 struct Transparents {
   const gpu::Buffer* cards = nullptr;  ///< shared::Card[count]
@@ -31,7 +40,8 @@ struct Transparents {
   const gpu::Buffer* view = nullptr;  ///< shared::ViewData
   uint32_t count = 0;
   std::array<uint32_t, kSources>
-      counts{};  ///< of each source, which follow each other in `cards` and `order`
+      counts{};                   ///< of each source, which follow each other in `cards` and `order`
+  std::vector<CardGroup> groups;  ///< each card once, in the order of the scene; empty: all are one group
 
   struct Style {
     std::string fragment;  ///< the method's shader

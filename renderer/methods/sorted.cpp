@@ -1,33 +1,72 @@
-// Alpha blending in sorted order ("No OIT"): the GPU sorts all cards by the depth of their centres, then they
-// are blended back to front. The sort is part of the cost and its own pass.
+// Alpha blending in sorted order ("No OIT"): cards are put in an order and blended back to front. The orders
+// are those that engines have used, from the coarsest on: an artist's (by hand, emitter by emitter), a CPU's
+// (emitters by the depth of where they stand), the same with a GPU sort inside each emitter, and a GPU sort
+// across all cards by the depth of their centres. Inside what is not sorted the oldest particle is drawn
+// first. The sort is part of the cost and its own pass. Limits: emitters in one another are wrong unless all
+// cards are sorted together, and cards that cross each other are wrong in any order. The probe tells of cards
+// in front by their centres, which is what the last of the orders draws; the others are no function of depth.
+#include <bit>
+
 #include "renderer/methods/methods.h"
 #include "renderer/probe.h"
 #include "renderer/radix_sort.h"
+#include "shaders/methods/sorted/groups.h"
 
 namespace plume {
 namespace {
+
+enum class Order { kArtist, kCpu, kGpuEmitter, kGpuAll };
+constexpr std::array<std::string_view, 4> kOrderNames = {"artist", "cpu", "gpu_emitter", "gpu_all"};
+
+/// Where each group stands when they are drawn as `order` says; by their first cards.
+std::vector<shared::OrderedGroup> ordered_groups(const Transparents& transparents, Order order) {
+  std::vector<CardGroup> groups = transparents.groups;
+  if (groups.empty()) groups = {{.first = 0, .count = transparents.count, .depth = 0, .draw_order = 0}};
+  if (order == Order::kArtist)
+    std::ranges::stable_sort(groups, {}, &CardGroup::draw_order);
+  else
+    std::ranges::stable_sort(groups, std::ranges::greater(), &CardGroup::depth);
+  std::vector<shared::OrderedGroup> ordered;
+  uint32_t place = 0, rank = uint32_t(groups.size());
+  for (const CardGroup& group : groups) {
+    ordered.push_back({.first = group.first, .place = place, .rank = --rank});
+    place += group.count;
+  }
+  std::ranges::sort(ordered, {}, &shared::OrderedGroup::first);
+  return ordered;
+}
 
 class Sorted final : public Method {
  public:
   std::string_view id() const override { return "sorted"; }
   Traits traits() const override {
     return {.title = "Sorted alpha blending",
-            .source = "the baseline of Drobot 2025 (\"No OIT\"), GPU sort across all cards",
+            .source = "the baseline of Drobot 2025 (\"No OIT\")",
             .transmission = "RGB, by dual-source blending",
             .emission = "exact",
             .limits =
-                "interpenetrating cards are ordered by their centres; 16-bit blending rounds at every layer",
+                "interpenetrating cards are ordered by their centres, interleaved emitters only by gpu_all; "
+                "16-bit blending rounds at every layer",
             .street_rmse = 0.002};
+  }
+
+  void visit(ParameterVisitor& visitor) override {
+    visitor.choice("order", order_, kOrderNames,
+                   "who sorts what: the coarser the cheaper, and the more is wrong where emitters mix");
   }
 
   Needs needs(glm::uvec2, const Transparents& transparents) const override {
     const uint32_t cards = transparents.count;
     const uint64_t count = std::max(cards, 1u);
     return {.images = {},
-            .buffers = {{.name = "pairs", .bytes = count * 8, .clear = {}},
-                        {.name = "scratch", .bytes = count * 8, .clear = {}},
-                        {.name = "counts", .bytes = radix_counts_bytes(cards), .clear = {}},
-                        {.name = "order", .bytes = count * 4, .clear = {}}}};
+            .buffers = {
+                {.name = "groups",
+                 .bytes = std::max<uint64_t>(transparents.groups.size(), 1) * sizeof(shared::OrderedGroup),
+                 .clear = {}},
+                {.name = "pairs", .bytes = count * 8, .clear = {}},
+                {.name = "scratch", .bytes = count * 8, .clear = {}},
+                {.name = "counts", .bytes = radix_counts_bytes(cards), .clear = {}},
+                {.name = "order", .bytes = count * 4, .clear = {}}}};
   }
 
   Outputs outputs() const override { return {.distortion = true, .surface = true}; }
@@ -38,15 +77,7 @@ class Sorted final : public Method {
     const uint32_t count = transparents.count;
 
     picture.frame.pass("sort", [&](gpu::Pass& pass) {
-      if (count == 0) return;
-      pass.dispatch(pass.pipelines().compute("methods/sorted/keys.comp"),
-                    {{"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}},
-                    count, {gpu::groups(count, 256), 1, 1});
-      pass.barrier();
-      radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
-      pass.dispatch(pass.pipelines().compute("methods/sorted/order.comp"),
-                    {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count,
-                    {gpu::groups(count, 256), 1, 1});
+      if (count > 0) record_order(pass, picture);
     });
     const auto draw = [&](const char* pass_name, const gpu::Image& target, Transparents::Style style) {
       style.targets = {{.image = &target, .blend = gpu::Blend::kOverDual, .clear = {}}};
@@ -79,9 +110,48 @@ class Sorted final : public Method {
            {.fragment = "methods/sorted/surface.frag", .targets = {}, .constants = {}, .bindings = {}});
   }
 
+  nlohmann::json statistics(gpu::Device&, const Resources&) const override { return {{"groups", groups_}}; }
+
   void probe(const Picture& picture, const Probe& probe) const override {
     probe_by_drawing(picture, probe, InFront::kByCenter);
   }
+
+ private:
+  void record_order(gpu::Pass& pass, const Picture& picture) {
+    const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+    const Transparents& transparents = picture.transparents;
+    const uint32_t count = transparents.count;
+    const std::array<uint32_t, 3> all{gpu::groups(count, 256), 1, 1};
+    const auto order = Order(order_);
+    groups_ = std::max<size_t>(transparents.groups.size(), 1);
+    if (order != Order::kGpuAll) {
+      pass.update(*buffer("groups"),
+                  std::span<const shared::OrderedGroup>(ordered_groups(transparents, order)));
+      pass.barrier();
+    }
+    if (order == Order::kArtist || order == Order::kCpu) {
+      pass.dispatch(pass.pipelines().compute("methods/sorted/group_order.comp"),
+                    {{"Groups", buffer("groups")}, {"Order", buffer("order")}},
+                    glm::uvec2(count, uint32_t(groups_)), all);
+      return;
+    }
+    gpu::Bindings bindings{
+        {"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}};
+    if (order == Order::kGpuEmitter) {
+      bindings.push_back({"Groups", buffer("groups")});
+      pass.dispatch(pass.pipelines().compute("methods/sorted/group_keys.comp"), bindings,
+                    glm::uvec3(count, uint32_t(groups_), uint32_t(std::bit_width(groups_ - 1))), all);
+    } else {
+      pass.dispatch(pass.pipelines().compute("methods/sorted/keys.comp"), bindings, count, all);
+    }
+    pass.barrier();
+    radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
+    pass.dispatch(pass.pipelines().compute("methods/sorted/order.comp"),
+                  {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count, all);
+  }
+
+  int order_ = int(Order::kGpuAll);
+  size_t groups_ = 1;  // of the last frame
 };
 
 }  // namespace

@@ -98,6 +98,7 @@ struct Look {
   float flipbook_fps = 8.0f;
   Range<float> spin_deg_s{0.0f, 0.0f};
   float stretch_s = 0.0f;  ///< card grows along its velocity by speed * this
+  int draw_order = 0;      ///< the artist's, for methods that take it: lower ones are drawn first, behind
 };
 
 /// A named camera offset that emitters share: artists' layering. Renderers keep its depths apart.

@@ -17,6 +17,7 @@ struct Call {
   glm::vec3 position;
   float yaw_deg;
   uint32_t seed;
+  int draw_order = 0;  ///< added to that of its emitters
 };
 
 shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind);

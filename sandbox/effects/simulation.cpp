@@ -62,6 +62,8 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
     const CurveTable table = bake_curves(emitter.look);
     curves.insert(curves.end(), table.begin(), table.end());
     emitters_.push_back({.call = call,
+                         .index = index,
+                         .origin = data.back().origin,
                          .source = source,
                          .schedule = SpawnSchedule(emitter.spawn),
                          .max_life = emitter.spawn.life_ticks.max});
@@ -218,6 +220,23 @@ void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gp
 std::array<uint32_t, kSources> Simulation::cards_by_source() const {
   std::array<uint32_t, kSources> result{};
   for (const Span& span : living_.spans) result[size_t(emitters_[span.emitter].source)] += span.count;
+  return result;
+}
+
+std::vector<Simulation::EmitterCards> Simulation::cards_by_emitter() const {
+  std::vector<Span> spans = living_.spans;  // by source; the scene's order is that of calls
+  std::ranges::sort(spans, {}, [&](const Span& span) {
+    return std::pair(emitters_[span.emitter].call, emitters_[span.emitter].index);
+  });
+  std::vector<EmitterCards> result;
+  for (const Span& span : spans) {
+    const EmitterState& emitter = emitters_[span.emitter];
+    const Call& call = calls_[emitter.call].call;
+    result.push_back({.first = span.offset,
+                      .count = span.count,
+                      .origin = emitter.origin,
+                      .draw_order = call.draw_order + call.effect->emitters[emitter.index].look.draw_order});
+  }
   return result;
 }
 

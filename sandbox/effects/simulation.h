@@ -32,6 +32,13 @@ class Simulation {
   uint32_t cards() const { return living_.threads; }
   /// The same by source, in the order of the enumeration, which is also that of the cards.
   std::array<uint32_t, kSources> cards_by_source() const;
+  /// The same by emitter, in the order of calls and of their emitters.
+  struct EmitterCards {
+    uint32_t first, count;
+    glm::vec3 origin;  ///< of the emitter, world
+    int draw_order;
+  };
+  std::vector<EmitterCards> cards_by_emitter() const;
   void record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                     uint32_t first_card) const;
 
@@ -45,7 +52,9 @@ class Simulation {
 
  private:
   struct EmitterState {
-    uint32_t call;  // index into calls_
+    uint32_t call;   // index into calls_
+    uint32_t index;  // of the effect's emitters
+    glm::vec3 origin;
     Source source;
     SpawnSchedule schedule;
     uint32_t max_life;

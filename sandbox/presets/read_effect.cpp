@@ -150,6 +150,7 @@ void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
   look.number("flipbook_fps", out.flipbook_fps, {0, 240, "frames a second"});
   look.range("spin_deg_s", out.spin_deg_s, {-3600, 3600, "degrees a second"});
   look.number("stretch_s", out.stretch_s, {0, 10, "s"});
+  look.integer("draw_order", out.draw_order, kDrawOrder);
 }
 
 }  // namespace

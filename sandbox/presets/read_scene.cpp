@@ -85,6 +85,7 @@ Pane read_pane(TableReader& table) {
   table.number("coverage", pane.coverage, kShare);
   table.vector("transmission", pane.transmission, kShare);
   table.vector("emission", pane.emission, kRadiance);
+  table.integer("draw_order", pane.draw_order, kDrawOrder);
   return pane;
 }
 
@@ -100,6 +101,7 @@ Instance read_instance(TableReader& table, const std::string& file) {
   table.vector("position", instance.position, kPlace);
   table.number("yaw_deg", instance.yaw_deg, kAngle);
   table.integer("seed", instance.seed, kSeed);
+  table.integer("draw_order", instance.draw_order, kDrawOrder);
   return instance;
 }
 

@@ -144,6 +144,14 @@ bool TableReader::number(std::string_view key, float& value, Limits limits, Need
   return read;
 }
 
+bool TableReader::integer(std::string_view key, int& value, Limits limits, Need need) {
+  const toml::node* node = find(key, need, number_text(limits, true));
+  double wide = 0;
+  const bool read = node && read_number(key, *node, limits, true, wide);
+  if (read) value = static_cast<int>(wide);
+  return read;
+}
+
 bool TableReader::integer(std::string_view key, uint32_t& value, Limits limits, Need need) {
   const toml::node* node = find(key, need, number_text(limits, true));
   double wide = 0;

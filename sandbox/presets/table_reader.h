@@ -37,6 +37,9 @@ struct Limits {
   std::string_view unit = "";
 };
 
+/// Of what artists order by hand.
+constexpr Limits kDrawOrder{-1000, 1000};
+
 enum class Need { kOptional, kRequired };
 
 /// One column of a list of pairs, such as the tick and the count of a burst.
@@ -64,6 +67,7 @@ class TableReader {
 
   bool number(std::string_view key, float& value, Limits limits, Need need = Need::kOptional);
   bool number(std::string_view key, double& value, Limits limits, Need need = Need::kOptional);
+  bool integer(std::string_view key, int& value, Limits limits, Need need = Need::kOptional);
   bool integer(std::string_view key, uint32_t& value, Limits limits, Need need = Need::kOptional);
   bool toggle(std::string_view key, bool& value);
   bool text(std::string_view key, std::string& value, Need need = Need::kOptional);

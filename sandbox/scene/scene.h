@@ -44,6 +44,7 @@ struct Pane {
   float coverage = 1.0f;         ///< alpha, 0..1
   glm::vec3 transmission{0.0f};  ///< share of light that passes where covered
   glm::vec3 emission{0.0f};
+  int draw_order = 0;  ///< the artist's, for methods that take it: lower ones are drawn first, behind
 };
 
 /// A thin lens: what is nearer or farther than the focus blurs.
@@ -83,6 +84,7 @@ struct Instance {
   glm::vec3 position{0.0f};
   float yaw_deg = 0.0f;
   uint32_t seed = 0;
+  int draw_order = 0;  ///< added to that of the effect's emitters
 };
 
 struct Scene {

@@ -31,7 +31,8 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
                      .tick = *instance.call_tick,
                      .position = instance.position,
                      .yaw_deg = instance.yaw_deg,
-                     .seed = instance.seed});
+                     .seed = instance.seed,
+                     .draw_order = instance.draw_order});
   }
   simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind);
   for (const Pane& pane : scene_.panes)
@@ -49,6 +50,25 @@ void Stage::fit_cards(uint32_t count) {
   // As they lie in the buffer: panes, the simulation's three sources, panes. Panes emit no haze.
   const auto [scalar, haze, rgb] = simulation_->cards_by_source();
   transparents_.counts = {uint32_t(scalar_panes_.size()) + scalar, haze, rgb + uint32_t(rgb_panes_.size())};
+  transparents_.groups = card_groups();
+}
+
+std::vector<CardGroup> Stage::card_groups() const {
+  const shared::ViewData& view = view_.mapped<shared::ViewData>()[0];
+  const auto depth_of = [&](glm::vec3 place) { return glm::dot(place - view.camera, view.forward); };
+  std::vector<CardGroup> groups;
+  uint32_t scalar = 0, rgb = uint32_t(scalar_panes_.size()) + simulation_->cards();
+  for (const Pane& pane : scene_.panes)
+    groups.push_back({.first = source_of(pane.transmission) == Source::kRgb ? rgb++ : scalar++,
+                      .count = 1,
+                      .depth = depth_of(pane.position),
+                      .draw_order = pane.draw_order});
+  for (const auto& emitter : simulation_->cards_by_emitter())
+    groups.push_back({.first = uint32_t(scalar_panes_.size()) + emitter.first,
+                      .count = emitter.count,
+                      .depth = depth_of(emitter.origin),
+                      .draw_order = emitter.draw_order});
+  return groups;
 }
 
 void Stage::set_draw_order(const std::vector<uint32_t>& order) {

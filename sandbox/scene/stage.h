@@ -35,6 +35,7 @@ class Stage {
 
  private:
   void fit_cards(uint32_t count);
+  std::vector<CardGroup> card_groups() const;
 
   gpu::Device& device_;
   Scene scene_;

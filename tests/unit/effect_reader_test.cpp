@@ -52,6 +52,7 @@ camera_offset_m = 1.5
 flipbook_fps = 12
 spin_deg_s = [-30, 30]
 stretch_s = 0.02
+draw_order = -2
 
 [[emitter]]
 name = "glow"
@@ -111,6 +112,7 @@ TEST(EffectReader, ReadsEveryKey) {
   EXPECT_EQ(body.look.flipbook_fps, 12.0f);
   EXPECT_EQ(body.look.spin_deg_s.min, -30.0f);
   EXPECT_EQ(body.look.stretch_s, 0.02f);
+  EXPECT_EQ(body.look.draw_order, -2);
 
   const Emitter& glow = effect.emitters[1];
   ASSERT_EQ(glow.spawn.rate.size(), 2u);
@@ -123,6 +125,7 @@ TEST(EffectReader, ReadsEveryKey) {
   EXPECT_EQ(glow.look.opacity->at(0.5f), 0.5f);
   EXPECT_FALSE(glow.look.cross_section_m2.has_value());
   EXPECT_FALSE(glow.look.lit);
+  EXPECT_EQ(glow.look.draw_order, 0);
   EXPECT_EQ(glow.look.color.at(0), glm::vec3(8, 4, 1));
 }
 

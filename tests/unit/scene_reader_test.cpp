@@ -81,6 +81,7 @@ color = [0.1, 0, 0]
 coverage = 0.5
 transmission = [0.9, 0.1, 0.1]
 emission = [0, 0, 3]
+draw_order = -3
 
 [[instance]]
 name = "first"
@@ -89,6 +90,7 @@ call_tick = 60
 position = [0, 0, 1]
 yaw_deg = 45
 seed = 7
+draw_order = 12
 [[instance]]
 effect = "sparks"
 )";
@@ -149,6 +151,7 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_EQ(scene.panes[0].coverage, 0.5f);
   EXPECT_EQ(scene.panes[0].transmission, glm::vec3(0.9f, 0.1f, 0.1f));
   EXPECT_EQ(scene.panes[0].emission, glm::vec3(0, 0, 3));
+  EXPECT_EQ(scene.panes[0].draw_order, -3);
 
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(scene.instances[0].name, "first");
@@ -157,6 +160,7 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_EQ(scene.instances[0].position, glm::vec3(0, 0, 1));
   EXPECT_EQ(scene.instances[0].yaw_deg, 45.0f);
   EXPECT_EQ(scene.instances[0].seed, 7u);
+  EXPECT_EQ(scene.instances[0].draw_order, 12);
   EXPECT_EQ(scene.instances[1].name, "sparks");
   EXPECT_FALSE(scene.instances[1].call_tick.has_value());
 }
