@@ -137,6 +137,10 @@ class OutputsTest : public GpuTest {
     for (const gpu::PassTime& pass : report.passes) result.insert(pass.name);
     return result;
   }
+  /// Weighted blending knows no transmittance between two fragments: its tests say what it writes instead.
+  static bool guesses_transmittance(const std::string& id) {
+    return make_method(id)->traits().emission.find("unattenuated") != std::string_view::npos;
+  }
   static glm::vec3 middle(const Texels& t) { return glm::vec3(t[at(kSize.x / 2, kSize.y / 2)]); }
 };
 
@@ -180,6 +184,7 @@ TEST_P(OutputsOf, OneHazeCardBendsWhatIsBehindItByItsAngleAndDistance) {
 }
 
 TEST_P(OutputsOf, HazeCountsAsFarAsWhatIsInFrontLetsItThrough) {
+  if (guesses_transmittance(GetParam())) GTEST_SKIP() << "by a guess";
   const float bend = 0.1f;
   const auto seen = [&](float haze_z, float smoke_z, float alpha) {
     const auto drawn =
@@ -219,12 +224,13 @@ TEST_P(OutputsOf, DepthIsTheMeanOfWhatIsSeenAndItsWeightIsWhatCovers) {
       middle(draw_cards(GetParam(), {.scalar = {card(5, 20, 0.6f)}, .haze = {}}, post).surface);
   EXPECT_NEAR(0.6, one.y, 2e-3);
   EXPECT_NEAR(5.0, one.y / one.x, 0.01);
+  const auto none = draw_cards(GetParam(), {.scalar = {card(12, 20, 0.5f)}, .haze = {}}, post);
+  EXPECT_EQ(glm::vec3(0), middle(none.surface)) << "behind the wall";
+  if (guesses_transmittance(GetParam())) return;
   const glm::vec3 two = middle(
       draw_cards(GetParam(), {.scalar = {card(8, 20, 0.5f), card(4, 20, 0.5f)}, .haze = {}}, post).surface);
   EXPECT_NEAR(0.75, two.y, 5e-3);
   EXPECT_NEAR(0.5 / 4 + 0.25 / 8, two.x, 2e-3);
-  const auto none = draw_cards(GetParam(), {.scalar = {card(12, 20, 0.5f)}, .haze = {}}, post);
-  EXPECT_EQ(glm::vec3(0), middle(none.surface)) << "behind the wall";
 }
 
 TEST_P(OutputsOf, AGlowWithoutCoverageHasADepthToo) {

@@ -24,14 +24,14 @@ void record_half_depth(const Picture& picture, const Plan& plan) {
                   {{"opaque_depth", &picture.opaque_depth}, {"half_opaque", &opaque}}, half,
                   {gpu::groups(half.x, 8), gpu::groups(half.y, 8), 1});
     pass.draw({.vertex = "post/fullscreen.vert",
-               .fragment = "methods/avboit/half_depth.frag",
+               .fragment = "surface/low_depth.frag",
                .targets = {},
                .depth = &visible,
                .depth_use = gpu::DepthUse::kTestAndWrite,
                .clear_depth = true,
                .area = {half.x, half.y},
-               .constants = {},
-               .bindings = {{"visible_depth", &visible_depth(picture, plan)}}},
+               .constants = {2},
+               .bindings = {{"full_depth", &visible_depth(picture, plan)}}},
               0u);
   });
 }

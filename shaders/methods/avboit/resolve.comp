@@ -10,6 +10,7 @@
 #include "methods/avboit/depth_warp.glsl"
 #include "methods/avboit/exact_layers.h"
 #include "methods/avboit/overlap.h"
+#include "surface/low_resolution.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNormalise = 1u;
@@ -51,23 +52,17 @@ Sums full_sums(ivec2 pixel) {
   return s;
 }
 
-// Bilinear between the four nearest texels, of which those count that see the same depth: no halo at the edges of opaque things.
 Sums half_sums(ivec2 pixel) {
   Sums s = Sums(vec4(0.0), vec4(0.0), vec3(0.0));
-  const vec2 at = (vec2(pixel) + 0.5) * 0.5 - 0.5, part = fract(at);
-  const ivec2 last = textureSize(light_half, 0) - 1;
   const float here = texelFetch(opaque_depth, pixel, 0).r;
   float total = 0.0;
   for (int i = 0; i < 4; ++i) {
-    const ivec2 step = ivec2(i & 1, i >> 1), from = clamp(ivec2(floor(at)) + step, ivec2(0), last);
-    const vec2 near = mix(1.0 - part, part, vec2(step));
-    const float there = texelFetch(half_opaque, from, 0).r;
-    const float w = near.x * near.y / (0.02 + abs(there - here) / max(max(there, here), 1e-9));
-    s.light += w * texelFetch(light_half, from, 0);
-    s.through += w * texelFetch(through_half, from, 0);
-    s.norm += w * texelFetch(norm_half, from, 0).r;
-    if (kColour == kFullRgb) s.norm += w * texelFetch(norm_rgb_half, from, 0).rgb;
-    total += w;
+    const LowTap tap = low_tap(half_opaque, pixel, 2u, here, i);
+    s.light += tap.weight * texelFetch(light_half, tap.at, 0);
+    s.through += tap.weight * texelFetch(through_half, tap.at, 0);
+    s.norm += tap.weight * texelFetch(norm_half, tap.at, 0).r;
+    if (kColour == kFullRgb) s.norm += tap.weight * texelFetch(norm_rgb_half, tap.at, 0).rgb;
+    total += tap.weight;
   }
   s.light /= total, s.through /= total, s.norm /= total;
   if (kHasAlpha == 0u) s.light.a = 1.0;

@@ -6,13 +6,12 @@
 #include "shared/view.h"
 
 layout(scalar, binding = 0) uniform View { ViewData view; };
-layout(binding = 8) uniform sampler2D accum;
-layout(binding = 9) uniform sampler2D through;
 
+#include "methods/wboit/sums.glsl"
 #include "methods/wboit/weight.glsl"
 #include "probe/probe.glsl"
 
 vec3 probe_transmittance(uvec2 pixel, float depth) {
-  const float sum = texelFetch(accum, ivec2(pixel), 0).a, t = texelFetch(through, ivec2(pixel), 0).r;
-  return vec3(sum > 0.0 ? weight(depth, 1.0, vec3(1.0)) * (1.0 - t) / sum : 1.0);
+  const Sums s = sums_at(ivec2(pixel));
+  return vec3(s.accum.a > 0.0 ? weight(depth, 1.0, vec3(1.0)) * (1.0 - s.through.r) / s.accum.a : 1.0);
 }

@@ -6,13 +6,14 @@
 layout(constant_id = 0) const uint kWeight = 0;
 layout(constant_id = 1) const float kDepthScale = 1.0;   // paper's units per metre
 
+#include "methods/weighted/window_depth.glsl"
+
 float eq9_depth(float z) { return clamp(0.03 / (1e-5 + pow(z / 200.0, 4.0)), 1e-2, 3e3); }
 
 // `light` is premultiplied.
 float weight(float depth, float alpha, vec3 light) {
   const float z = depth * kDepthScale;
-  // Window depth of a conventional projection between near and far, which equation 10 and the demo are written for.
-  const float window = view.far_m / (view.far_m - view.near_m) * (1.0 - view.near_m / depth);
+  const float window = window_depth(depth, 1.0);   // equation 10 and the demo
   switch (kWeight) {
     case 0u: return alpha * clamp(10.0 / (1e-5 + pow(z / 5.0, 2.0) + pow(z / 200.0, 6.0)), 1e-2, 3e3);
     case 1u: return alpha * clamp(10.0 / (1e-5 + pow(z / 10.0, 3.0) + pow(z / 200.0, 6.0)), 1e-2, 3e3);
