@@ -92,6 +92,7 @@ struct Look {
   bool lit = true;                        ///< albedo is lit by sun and sky; otherwise it is radiance itself
   float feather_m = 0.0f;                 ///< z-feather: fades over this distance in front of opaque surfaces
   glm::vec3 transmission{0.0f};           ///< share of light that passes where covered: coloured smoke
+  float diffusion_deg = 0.0f;             ///< standard deviation of the angle by which that is scattered
   float distortion_deg = 0.0f;   ///< bends what is seen through it at full slope; it then shows nothing else
   float camera_offset_m = 0.0f;  ///< moves depth along the camera ray, positive towards the camera
   std::string layer;             ///< name of one of the effect's layers, "" = none

@@ -73,7 +73,8 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .stretch = look.stretch_s,
           .core = call.position,
           .transmission = look.transmission,
-          .distortion = glm::radians(look.distortion_deg)};
+          .distortion = glm::radians(look.distortion_deg),
+          .diffusion = glm::radians(look.diffusion_deg)};
 }
 
 CurveTable bake_curves(const Look& look) {

@@ -140,6 +140,7 @@ void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
   look.gradient("emission", out.emission, kRadiance);
   look.number("feather_m", out.feather_m, {0, 100, "m"});
   look.vector("transmission", out.transmission, kShare);
+  look.number("diffusion_deg", out.diffusion_deg, {0, 45, "degrees"});
   if (look.number("distortion_deg", out.distortion_deg, {0, 45, "degrees"}) && out.distortion_deg > 0 &&
       !is_clear(out))
     look.report("distortion_deg",

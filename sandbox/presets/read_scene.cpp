@@ -84,6 +84,7 @@ Pane read_pane(TableReader& table) {
   table.vector("color", pane.color, kRadiance);
   table.number("coverage", pane.coverage, kShare);
   table.vector("transmission", pane.transmission, kShare);
+  table.number("diffusion_deg", pane.diffusion_deg, {0, 45, "degrees"});
   table.vector("emission", pane.emission, kRadiance);
   table.integer("draw_order", pane.draw_order, kDrawOrder);
   return pane;

@@ -9,8 +9,8 @@
 namespace plume {
 namespace {
 
-glm::uvec2 pack_half4(glm::vec3 rgb) {
-  return {glm::packHalf2x16({rgb.r, rgb.g}), glm::packHalf2x16({rgb.b, 0.0f})};
+glm::uvec2 pack_half4(glm::vec3 rgb, float a = 0.0f) {
+  return {glm::packHalf2x16({rgb.r, rgb.g}), glm::packHalf2x16({rgb.b, a})};
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ shared::Card pane_card(const Pane& pane) {
           .sunlit = {0, 0},
           .ambient = pack_half4(pane.color),
           .emission = pack_half4(pane.emission),
-          .transmission = pack_half4(pane.transmission),
+          .transmission = pack_half4(pane.transmission, glm::radians(pane.diffusion_deg)),
           .light = {0, 0},
           .motion = {0, 0}};
 }

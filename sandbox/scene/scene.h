@@ -43,6 +43,7 @@ struct Pane {
   glm::vec3 color{0.0f};         ///< reflected radiance where covered (not premultiplied)
   float coverage = 1.0f;         ///< alpha, 0..1
   glm::vec3 transmission{0.0f};  ///< share of light that passes where covered
+  float diffusion_deg = 0.0f;    ///< standard deviation of the angle by which what passes is scattered
   glm::vec3 emission{0.0f};
   int draw_order = 0;  ///< the artist's, for methods that take it: lower ones are drawn first, behind
 };

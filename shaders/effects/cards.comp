@@ -99,7 +99,7 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
   card.sunlit = pack_half4(vec4(lit ? color * view.sun_color * reached.x : vec3(0.0), blend));
   card.ambient = pack_half4(vec4(lit ? color * sky * reached.y : color, 0.0));
   card.emission = pack_half4(vec4(curve(emitter, 2u, life).rgb * shape.y, 0.0));
-  card.transmission = pack_half4(vec4(e.transmission, 0.0));
+  card.transmission = pack_half4(vec4(e.transmission, e.diffusion));
   card.light = pack_half4(vec4(dot(view.sun_direction, normalize(u)), dot(view.sun_direction, normalize(v)),
                                -dot(view.sun_direction, view.forward), 0.0));
   card.motion = pack_half4(vec4(p.velocity * (kTick * scale), e.distortion * shape.y));

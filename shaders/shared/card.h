@@ -18,7 +18,7 @@ struct Card {
   uvec2 sunlit;        // rgb radiance when fully lit by the sun; a: blend between the two layers
   uvec2 ambient;       // rgb radiance from everywhere; a: unused
   uvec2 emission;      // rgb radiance added, whatever the coverage; a: unused
-  uvec2 transmission;  // rgb share of light that passes where covered; a: unused
+  uvec2 transmission;  // rgb share of light that passes where covered; a: diffusion, radians
   uvec2 light;         // xyz direction to the sun in the card's frame (u, v, towards the camera); a: unused
   uvec2 motion;        // xyz metres a tick; a: distortion, radians at the mean density and full slope
 };

@@ -61,6 +61,7 @@ struct EmitterData {
   vec3 core;      // world: what counts as the middle of the cloud for its shading
   vec3 transmission;
   float distortion;  // radians
+  float diffusion;   // radians
 };
 
 const uint kEmitterLit = 1u;

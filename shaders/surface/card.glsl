@@ -13,7 +13,7 @@ layout(location = 0) out vec3 v_uv_depth;
 layout(location = 1) flat out vec4 v_sunlit;         // rgb, a: layer blend
 layout(location = 2) flat out vec4 v_ambient;        // rgb, a: optical depth
 layout(location = 3) flat out vec4 v_emission;       // rgb, a: 1 / feather
-layout(location = 4) flat out vec4 v_transmission;   // rgb, a: unused
+layout(location = 4) flat out vec4 v_transmission;   // rgb, a: diffusion, radians
 layout(location = 5) flat out vec3 v_light;
 layout(location = 6) flat out uvec3 v_layers_id;     // two layers, card index
 
