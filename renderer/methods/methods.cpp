@@ -13,6 +13,8 @@
   X(adaptive) \
   X(stochastic) \
   X(wboit) \
+  X(coloured) \
+  X(phenomenological) \
   X(moments) \
   X(wavelets) \
   X(fourier) \
