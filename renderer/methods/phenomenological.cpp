@@ -62,7 +62,7 @@ class Phenomenological final : public Method {
                             "is close to it sharper"});
     visitor.integer("blur_radius", blur_radius_,
                     {.min = 1,
-                     .max = 64,
+                     .max = 128,
                      .unit = "pixels",
                      .help = "where blurs end: more than 8 are sampled sparsely, so cost is bounded"});
     visitor.choice("sums", sums_, kSums, "floats of the weighted sums");
@@ -110,18 +110,19 @@ class Phenomenological final : public Method {
                     .bindings = {}});
       });
     picture.frame.pass("composite", [&](gpu::Pass& pass) {
-      pass.dispatch(pass.pipelines().compute("methods/phenomenological/composite.comp",
-                                             {self_modulation_ ? 1u : 0u, uint32_t(blur_radius_)}),
-                    {{"View", picture.transparents.view},
-                     {"accum", image("accum")},
-                     {"modulation", image("modulation")},
-                     {"emission", image("emission")},
-                     {"bent", image("bent")},
-                     {"opaque_color", &picture.opaque_color},
-                     {"opaque_depth", &picture.opaque_depth},
-                     {"result", &picture.result},
-                     {"Counts", &picture.resources.buffer("counts")}},
-                    picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
+      pass.dispatch(
+          pass.pipelines().compute("methods/phenomenological/composite.comp",
+                                   {self_modulation_ ? 1u : 0u, uint32_t(blur_radius_), uint32_t(sums_)}),
+          {{"View", picture.transparents.view},
+           {"accum", image("accum")},
+           {"modulation", image("modulation")},
+           {"emission", image("emission")},
+           {"bent", image("bent")},
+           {"opaque_color", &picture.opaque_color},
+           {"opaque_depth", &picture.opaque_depth},
+           {"result", &picture.result},
+           {"Counts", &picture.resources.buffer("counts")}},
+          picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
     });
     if (!picture.surface) return;
     picture.frame.pass("surface", [&](gpu::Pass& pass) {
@@ -151,7 +152,7 @@ class Phenomenological final : public Method {
 
   bool far_scene_ = false, self_modulation_ = true, refraction_ = true;
   float near_scale_ = 1.0f, reach_ = 2.5f, focus_ = 0.1f;
-  int blur_radius_ = 24, sums_ = 0, modulation_ = 1;
+  int blur_radius_ = 32, sums_ = 0, modulation_ = 1;
 };
 
 }  // namespace

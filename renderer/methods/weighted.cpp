@@ -104,9 +104,9 @@ void Weighted::record_resolve(const Picture& picture) const {
                                    {"result", &picture.result},
                                    {"Overflowed", &picture.resources.buffer("overflowed")}});
   picture.frame.pass("resolve", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute(
-                      "methods/weighted/resolve.comp",
-                      {each_channel ? 1u : 0u, normalise ? 1u : 0u, modulates ? 1u : 0u, low_divisor}),
+    pass.dispatch(pass.pipelines().compute("methods/weighted/resolve.comp",
+                                           {each_channel ? 1u : 0u, normalise ? 1u : 0u, modulates ? 1u : 0u,
+                                            low_divisor, full_floats ? 1u : 0u}),
                   bindings, picture.size,
                   {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});
   });

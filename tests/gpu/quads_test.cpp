@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/gpu/gpu_test.h"
+#include "tests/gpu/wboit_weights.h"
 
 namespace plume {
 namespace {
@@ -49,31 +50,12 @@ class QuadsTest : public GpuTest {
     return light + background * through;
   }
 
-  /// Equations 7 to 10 of McGuire and Bavoil 2013, the blog's colour-aware factor and LearnOpenGL's demo, in
-  /// double precision.
-  static double weight(const std::string& name, const Layer& layer, double near, double far) {
-    const double z = layer.z, a = layer.alpha, window = far / (far - near) * (1 - near / z);
-    const double eq9 = std::clamp(0.03 / (1e-5 + std::pow(z / 200, 4)), 1e-2, 3e3);
-    if (name == "eq7")
-      return a * std::clamp(10 / (1e-5 + std::pow(z / 5, 2) + std::pow(z / 200, 6)), 1e-2, 3e3);
-    if (name == "eq8")
-      return a * std::clamp(10 / (1e-5 + std::pow(z / 10, 3) + std::pow(z / 200, 6)), 1e-2, 3e3);
-    if (name == "eq9") return a * eq9;
-    if (name == "eq10") return a * std::max(1e-2, 3e3 * std::pow(1 - window, 3));
-    if (name == "colour_aware") {
-      const double brightest = std::max({layer.color.r, layer.color.g, layer.color.b});
-      return std::max(std::min(1.0, brightest * a), a) * eq9;
-    }
-    return std::clamp(std::pow(std::min(1.0, a * 10) + 0.01, 3) * 1e8 * std::pow(1 - window * 0.9, 3), 1e-2,
-                      3e3);
-  }
-
   static glm::dvec3 weighted_blended(const std::string& name, const std::vector<Layer>& layers,
                                      glm::dvec3 background, const Scene& scene) {
     glm::dvec3 sum(0.0);
     double weights = 0, reveal = 1;
     for (const Layer& layer : layers) {
-      const double w = weight(name, layer, scene.near_m, scene.far_m);
+      const double w = wboit_weight(name, layer.color, layer.alpha, layer.z, scene.near_m, scene.far_m);
       sum += layer.color * layer.alpha * w;
       weights += layer.alpha * w;
       reveal *= 1 - layer.alpha;
@@ -113,7 +95,7 @@ class QuadsTest : public GpuTest {
   /// Every weight drawn and compared with its formula.
   void expect_formulas(const Scene& scene, double tolerance) {
     const DrawnPicture background = background_of(scene);
-    for (const std::string weight : {"eq7", "eq8", "eq9", "eq10", "colour_aware", "learnopengl"}) {
+    for (const std::string weight : kWboitWeights) {
       Stage stage(device, pipelines, library, scene);
       const DrawnPicture picture = draw(stage, 0, kPicture, "wboit", {{"weight", weight}});
       const auto formula = [&](const std::vector<Layer>& layers, glm::dvec3 behind) {

@@ -6,10 +6,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/view.h"
+#include "methods/weighted/overflow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kSelfModulation = 1u;
-layout(constant_id = 1) const uint kBlurRadius = 24u;   // pixels: two standard deviations end here at the latest
+layout(constant_id = 1) const uint kBlurRadius = 32u;   // pixels: three standard deviations end here at the latest
+layout(constant_id = 2) const uint kFullFloats = 0u;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(binding = 8) uniform sampler2D accum;
 layout(binding = 9) uniform sampler2D modulation;
@@ -24,7 +26,7 @@ layout(std430, binding = 15) buffer Counts {
 };
 layout(push_constant) uniform Push { uvec2 size; };
 
-const int kSteps = 8;   // of the blur, each way from the middle
+const int kMostSteps = 8;   // of the blur, each way from the middle
 
 // Depth in front of which things are not seen through what bends, as near_m / depth.
 float nearest_bent(vec4 at) { return at.w * view.near_m / max(at.z + length(at.xy), 1e-9); }
@@ -38,17 +40,17 @@ vec3 background(ivec2 pixel) {
     const vec4 depths = textureGather(opaque_depth, (place + here.xy) / vec2(size));
     if (max(max(depths.x, depths.y), max(depths.z, depths.w)) <= limit) place += here.xy;
   }
-  const float deviation = sqrt(here.z), wanted = 2.0 * deviation, radius = min(wanted, float(kBlurRadius));
+  const float deviation = sqrt(here.z), wanted = 3.0 * deviation, radius = min(wanted, float(kBlurRadius));
   if (wanted > float(kBlurRadius)) atomicAdd(clipped_pixels, 1u);
-  if (radius < 0.5) return here.xy == vec2(0.0) ? straight : textureLod(opaque_color, place / vec2(size), 0.0).rgb;
-  const float step = max(radius / float(kSteps), 1.0);
-  const int most = int(radius / step);
+  if (radius < 0.25) return here.xy == vec2(0.0) ? straight : textureLod(opaque_color, place / vec2(size), 0.0).rgb;
+  const int most = clamp(int(ceil(radius)), 1, kMostSteps);
+  const float step = radius / float(most);
   vec3 sum = vec3(0.0);
   float total = 0.0;
   for (int y = -most; y <= most; ++y)
     for (int x = -most; x <= most; ++x) {
       const vec2 aside = vec2(x, y) * step, at = clamp(place + aside, vec2(0.5), vec2(size) - 0.5);
-      const float seen = texelFetch(opaque_depth, ivec2(at), 0).r <= limit && dot(aside, aside) <= radius * radius ? 1.0 : 0.0;
+      const float seen = texelFetch(opaque_depth, ivec2(at), 0).r <= limit && dot(aside, aside) <= radius * radius * 1.0001 ? 1.0 : 0.0;
       const float share = seen * exp(-0.5 * dot(aside, aside) / here.z);
       sum += share * textureLod(opaque_color, at / vec2(size), 0.0).rgb;
       total += share;
@@ -62,9 +64,10 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
   vec4 sums = texelFetch(accum, pixel, 0);
-  if (any(isinf(sums))) atomicAdd(overflowed_pixels, 1u);
-  if (isinf(sums.a)) sums.a = brightest(sums.rgb);   // keeps a hue where only the weights overflowed
-  if (any(isinf(sums.rgb))) sums = vec4(isinf(sums.a) ? 1.0 : sums.a);
+  const bvec4 over = overflowed(sums, kFullFloats != 0u);
+  if (any(over)) atomicAdd(overflowed_pixels, 1u);
+  if (any(over.rgb)) sums = vec4(1.0);
+  else if (over.a) sums.a = brightest(sums.rgb);   // keeps the hue where only the weights overflowed
   const vec3 b = texelFetch(modulation, pixel, 0).rgb;
   vec3 mean = sums.rgb / max(sums.a, 1e-5);
   if (kSelfModulation != 0u) mean *= 0.5 + max(b, vec3(1e-3)) / (2.0 * max(brightest(b), 1e-3));

@@ -7,7 +7,9 @@ layout(constant_id = 0) const uint kEachChannel = 0u;
 layout(constant_id = 1) const uint kNormalise = 1u;   // 0: the weights are believed as they are
 layout(constant_id = 2) const uint kModulates = 0u;   // the background is multiplied by `modulation`, not by prod t
 layout(constant_id = 3) const uint kDivisor = 1u;
+layout(constant_id = 4) const uint kFullFloats = 0u;
 
+#include "methods/weighted/overflow.glsl"
 #include "methods/weighted/sums.glsl"
 
 layout(binding = 11) uniform sampler2D norm;         // where kEachChannel
@@ -23,12 +25,14 @@ void main() {
   const Sums s = sums_at(pixel);
   const vec3 t = kEachChannel != 0u ? s.through.rgb : s.through.rrr;
   vec3 light = s.accum.rgb;
-  if (any(isinf(s.accum))) atomicAdd(overflowed_pixels, 1u);
+  const bvec4 over = overflowed(s.accum, kFullFloats != 0u);
+  if (any(over)) atomicAdd(overflowed_pixels, 1u);
   if (kNormalise != 0u) {
     const vec3 weights = kEachChannel != 0u ? texelFetch(norm, pixel, 0).rgb : s.accum.aaa;
+    const bvec3 over_weights = kEachChannel != 0u ? overflowed(weights.rgbb, kFullFloats != 0u).rgb : over.aaa;
     // 16-bit sums overflow at about 22 fragments of weight 3000: McGuire's 2015 post replaces the colour by the coverage.
-    if (any(isinf(light))) light = weights;
-    light = (1.0 - t) * mix(light / max(weights, vec3(1e-5)), vec3(1.0), isinf(weights));
+    if (any(over.rgb)) light = weights;
+    light = (1.0 - t) * mix(light / max(weights, vec3(1e-5)), vec3(1.0), over_weights);
   }
   const vec3 passed = kModulates != 0u ? texelFetch(modulation, pixel, 0).rgb : t;
   light += s.emission;
