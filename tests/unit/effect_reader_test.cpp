@@ -50,6 +50,7 @@ emission = [[0, [9, 4, 1]], [0.3, [0, 0, 0]]]
 feather_m = 0.3
 camera_offset_m = 1.5
 flipbook_fps = 12
+diffusion_deg = 1.5
 spin_deg_s = [-30, 30]
 stretch_s = 0.02
 draw_order = -2
@@ -110,6 +111,7 @@ TEST(EffectReader, ReadsEveryKey) {
   EXPECT_EQ(body.look.feather_m, 0.3f);
   EXPECT_EQ(body.look.camera_offset_m, 1.5f);
   EXPECT_EQ(body.look.flipbook_fps, 12.0f);
+  EXPECT_EQ(body.look.diffusion_deg, 1.5f);
   EXPECT_EQ(body.look.spin_deg_s.min, -30.0f);
   EXPECT_EQ(body.look.stretch_s, 0.02f);
   EXPECT_EQ(body.look.draw_order, -2);

@@ -80,6 +80,7 @@ size_m = [1.5, 2]
 color = [0.1, 0, 0]
 coverage = 0.5
 transmission = [0.9, 0.1, 0.1]
+diffusion_deg = 2.5
 emission = [0, 0, 3]
 draw_order = -3
 
@@ -150,6 +151,7 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_EQ(scene.panes[0].color, glm::vec3(0.1f, 0, 0));
   EXPECT_EQ(scene.panes[0].coverage, 0.5f);
   EXPECT_EQ(scene.panes[0].transmission, glm::vec3(0.9f, 0.1f, 0.1f));
+  EXPECT_EQ(scene.panes[0].diffusion_deg, 2.5f);
   EXPECT_EQ(scene.panes[0].emission, glm::vec3(0, 0, 3));
   EXPECT_EQ(scene.panes[0].draw_order, -3);
 
