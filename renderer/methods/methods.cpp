@@ -3,22 +3,25 @@
 // THE list. The order is the order of tables and reports: the reference first, since every error is measured
 // against it.
 #define PLUME_METHODS(X) \
-  X(reference) \
-  X(linked_list) \
-  X(tile_sorted) \
-  X(peel) \
-  X(peel_dual) \
-  X(sorted) \
-  X(abuffer) \
-  X(adaptive) \
-  X(stochastic) \
-  X(wboit) \
-  X(coloured) \
-  X(phenomenological) \
-  X(moments) \
-  X(wavelets) \
-  X(fourier) \
-  X(vboit) \
+  X(reference)           \
+  X(linked_list)         \
+  X(tile_sorted)         \
+  X(peel)                \
+  X(peel_dual)           \
+  X(sorted)              \
+  X(kbuffer)             \
+  X(abuffer)             \
+  X(adaptive)            \
+  X(aoit)                \
+  X(mlab)                \
+  X(stochastic)          \
+  X(wboit)               \
+  X(coloured)            \
+  X(phenomenological)    \
+  X(moments)             \
+  X(wavelets)            \
+  X(fourier)             \
+  X(vboit)               \
   X(avboit)
 
 namespace plume {

@@ -7,9 +7,9 @@
 // in front by their centres, which is what the last of the orders draws; the others are no function of depth.
 #include <bit>
 
+#include "renderer/methods/card_sort.h"
 #include "renderer/methods/methods.h"
 #include "renderer/probe.h"
-#include "renderer/radix_sort.h"
 #include "shaders/methods/sorted/groups.h"
 
 namespace plume {
@@ -56,34 +56,27 @@ class Sorted final : public Method {
   }
 
   Needs needs(glm::uvec2, const Transparents& transparents) const override {
-    const uint32_t cards = transparents.count;
-    const uint64_t count = std::max(cards, 1u);
-    return {.images = {},
-            .buffers = {
-                {.name = "groups",
-                 .bytes = std::max<uint64_t>(transparents.groups.size(), 1) * sizeof(shared::OrderedGroup),
-                 .clear = {}},
-                {.name = "pairs", .bytes = count * 8, .clear = {}},
-                {.name = "scratch", .bytes = count * 8, .clear = {}},
-                {.name = "counts", .bytes = radix_counts_bytes(cards), .clear = {}},
-                {.name = "order", .bytes = count * 4, .clear = {}}}};
+    Needs needs;
+    card_sort::add_needs(needs, transparents);
+    needs.buffers.push_back(
+        {.name = "groups",
+         .bytes = std::max<uint64_t>(transparents.groups.size(), 1) * sizeof(shared::OrderedGroup),
+         .clear = {}});
+    return needs;
   }
 
   Outputs outputs() const override { return {.distortion = true, .surface = true}; }
 
   void record(const Picture& picture) override {
-    const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
     const Transparents& transparents = picture.transparents;
-    const uint32_t count = transparents.count;
-
     picture.frame.pass("sort", [&](gpu::Pass& pass) {
-      if (count > 0) record_order(pass, picture);
+      if (transparents.count > 0) record_order(pass, picture);
     });
     const auto draw = [&](const char* pass_name, const gpu::Image& target, Transparents::Style style) {
       style.targets = {{.image = &target, .blend = gpu::Blend::kOverDual, .clear = {}}};
       style.depth_test = style.opaque_depth = &picture.opaque_depth;
       style.area = picture.area();
-      style.order = buffer("order");
+      style.order = &picture.resources.buffer("order");
       style.backwards = true;
       picture.frame.pass(pass_name, [&](gpu::Pass& pass) {
         if (&target != &picture.result) pass.clear(target, {0, 0, 0, 0});
@@ -135,19 +128,18 @@ class Sorted final : public Method {
                     glm::uvec2(count, uint32_t(groups_)), all);
       return;
     }
-    gpu::Bindings bindings{
-        {"View", transparents.view}, {"Cards", transparents.cards}, {"Pairs", buffer("pairs")}};
-    if (order == Order::kGpuEmitter) {
-      bindings.push_back({"Groups", buffer("groups")});
-      pass.dispatch(pass.pipelines().compute("methods/sorted/group_keys.comp"), bindings,
-                    glm::uvec3(count, uint32_t(groups_), uint32_t(std::bit_width(groups_ - 1))), all);
-    } else {
-      pass.dispatch(pass.pipelines().compute("methods/sorted/keys.comp"), bindings, count, all);
+    if (order == Order::kGpuAll) {
+      card_sort::record_by_depth(pass, picture);
+      return;
     }
+    pass.dispatch(pass.pipelines().compute("methods/sorted/group_keys.comp"),
+                  {{"View", transparents.view},
+                   {"Cards", transparents.cards},
+                   {"Pairs", buffer("pairs")},
+                   {"Groups", buffer("groups")}},
+                  glm::uvec3(count, uint32_t(groups_), uint32_t(std::bit_width(groups_ - 1))), all);
     pass.barrier();
-    radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
-    pass.dispatch(pass.pipelines().compute("methods/sorted/order.comp"),
-                  {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count, all);
+    card_sort::record_pairs(pass, picture);
   }
 
   int order_ = int(Order::kGpuAll);

@@ -1,0 +1,12 @@
+// AOIT's visibility function by a spin lock: see methods/aoit/insert.glsl.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "surface/shade.glsl"
+#include "methods/pixel_nodes/spinlock.glsl"
+#include "methods/aoit/insert.glsl"
+
+void main() {
+  Fragment f;
+  const bool seen = shade_seen(f);
+  wait_for_turn(seen && dims(f), f);
+}
