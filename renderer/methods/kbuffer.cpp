@@ -34,7 +34,7 @@ class KBuffer final : public Method {
             .transmission = "RGB, exact in the nodes; RGB coverage of the tail",
             .emission = "exact in the nodes; in the tail, the tail's mean share",
             .limits = "beyond the nearest k, near-opaque layers mix instead of hiding each other",
-            .street_rmse = 0.1};
+            .street_rmse = 0.025};
   }
   std::vector<std::string> missing(const gpu::Device& device) const override {
     if (lock_ == kAtomic64)

@@ -39,7 +39,7 @@ class Mlab final : public Method {
             .limits =
                 "beyond k layers the farthest are blended in the order of the draw, which a spin lock on a "
                 "parallel device does not keep",
-            .street_rmse = 0.1};
+            .street_rmse = 0.033};
   }
   std::vector<std::string> missing(const gpu::Device& device) const override {
     return pixel_nodes::missing(device, lock());
@@ -101,7 +101,7 @@ class Mlab final : public Method {
 
   /// What a light that came last would be given.
   void probe(const Picture& picture, const Probe& probe) const override {
-    probe_with(picture, probe, "methods/pixel_nodes/probe.comp", {uint32_t(nodes_)},
+    probe_with(picture, probe, "methods/mlab/probe.comp", {uint32_t(nodes_)},
                pixel_nodes::bindings(picture.resources));
   }
 

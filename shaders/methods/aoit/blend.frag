@@ -5,9 +5,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "methods/pixel_nodes/seen.glsl"
-#include "methods/pixel_nodes/visibility.glsl"
+#include "methods/aoit/visibility.glsl"
 
-layout(constant_id = 0) const uint kNodes = 8u;
 layout(scalar, binding = 8) readonly buffer Turns { uint turns[]; };
 layout(location = 0) out vec4 light;
 
@@ -15,6 +14,6 @@ void main() {
   Fragment f;
   if (!shade_seen(f)) discard;
   const uint pixel = pixel_index();
-  const vec3 seen = visibility(node_key(f.depth, f.id), turns[pixel], kNodes, pixel, view.size.x * view.size.y);
+  const vec3 seen = visibility(node_key(f.depth, f.id), turns[pixel], pixel, view.size.x * view.size.y);
   light = vec4((f.color + f.emission) * seen, 0.0);
 }

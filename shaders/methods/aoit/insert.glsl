@@ -1,7 +1,7 @@
 // Adaptive transparency that merges the furthest, first pass: the visibility function. A fragment adds a step; of k + 1 steps the two
 // farthest become one, at the depth of the nearer,
 //   V(z) = prod_{z_i < z} t_i,   t = t_nearer t_farther.
-// A node keeps its own step and not the product so far: the same function, without dividing by a transmittance that may be zero.
+// A node keeps its own step and not yet the product so far: nodes that lie in no order need no moving and no division.
 #ifndef PLUME_AOIT_INSERT_GLSL
 #define PLUME_AOIT_INSERT_GLSL
 #include "methods/pixel_nodes/farthest.glsl"

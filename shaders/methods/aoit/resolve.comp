@@ -1,11 +1,10 @@
 // Adaptive transparency that merges the furthest, composite:  image = sum_i L_i V(z_i) + background V(infinity).
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/pixel_nodes/visibility.glsl"
+#include "methods/aoit/visibility.glsl"
 #include "methods/pixel_nodes/overflow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 0) const uint kNodes = 8u;
 layout(scalar, binding = 8) readonly buffer Turns { uint turns[]; };
 layout(binding = 10) uniform sampler2D light;
 layout(binding = 13) uniform sampler2D opaque_color;
@@ -19,6 +18,6 @@ void main() {
   const uint fragments = inside ? turns[pixel] : 0u;
   count_overflow(fragments - min(fragments, kNodes));
   if (!inside) return;
-  const vec3 through = visibility(kNoKey, fragments, kNodes, pixel, pixels);
+  const vec3 through = visibility(kNoKey, fragments, pixel, pixels);
   imageStore(result, at, vec4(texelFetch(light, at, 0).rgb + texelFetch(opaque_color, at, 0).rgb * through, 1.0));
 }
