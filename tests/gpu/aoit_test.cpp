@@ -55,7 +55,7 @@ TEST_F(AoitTest, WhatCoversNothingTakesNoStepAndIsDimmedAtItsDepth) {
 }
 
 TEST_F(AoitTest, TheProbeTellsTheVisibilityThatFragmentsAreGiven) {
-  random_stack(24);
+  random_stack(24, true);
   const AoitModel model(arrivals(), 5);
   std::vector<float> depths;
   for (int i = 0; i < 48; ++i) depths.push_back(1.9f + 0.25f * float(i));  // between the layers' depths

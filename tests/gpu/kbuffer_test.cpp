@@ -60,7 +60,7 @@ TEST_F(KBufferTest, ALightInTheTailIsNeverLost) {
 
 TEST_F(KBufferTest, TheProbeTellsTheShareThatTheTailIsGiven) {
   for (const char* lock : kEveryLock) {
-    random_stack(24);
+    random_stack(24, true);
     const KBufferModel model(stack(), 6);
     const double last = model.nodes.back().z;
     const std::vector<float> depths{1.0f, 2.1f, float(last - 0.01), float(last + 0.01), 100.0f};

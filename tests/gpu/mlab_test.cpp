@@ -66,7 +66,7 @@ TEST_F(MlabTest, AnOrderOfItsOwnHidesTheOrderOfSubmission) {
 }
 
 TEST_F(MlabTest, TheTransmittanceDoesNotDependOnTheOrder) {
-  random_stack(24);
+  random_stack(24, true);
   const std::vector<float> depths{1.0f, 2.6f, 3.1f, 4.1f, 6.1f, 9.0f, 100.0f};
   const Map settings{{"order", "submission"}, {"nodes", "5"}};
   for (int round = 0; round < 3; ++round) {

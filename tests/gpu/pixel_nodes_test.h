@@ -125,13 +125,13 @@ class PixelNodesTest : public AvboitTest {
   static float depth_for(float alpha) { return -std::log1p(-alpha); }
 
   /// Layers of all kinds that fill the picture: thin, opaque, coloured, shining without covering, of equal
-  /// depth.
-  void random_stack(uint32_t count) {
+  /// depth. With `thin`, light comes through them all.
+  void random_stack(uint32_t count, bool thin = false) {
     clear_cards();
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t kind = random.below(6);
       SmallCard c{.z = float(2 + random.below(40) * 0.25)};
-      c.optical_depth = kind == 0 ? 0.0f : float(random.octaves(0.004, kind == 1 ? 40.0 : 2.0));
+      c.optical_depth = kind == 0 ? 0.0f : float(random.octaves(0.004, thin ? 0.3 : kind == 1 ? 40.0 : 2.0));
       c.color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
       if (kind == 2) c.transmission = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
       if (kind == 0 || kind == 3) c.emission = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
