@@ -12,24 +12,26 @@ layout(push_constant) uniform Push { uvec2 size; };
 void main() {
   const uvec2 at = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(at, size))) return;
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
   const uint pixels = size.x * size.y, pixel = at.y * size.x + at.x, count = min(turns[pixel], kNodes);
-  uvec2 keys[kNodes];
+  uvec2 sorted[kNodes];
   vec3 through[kNodes];
   for (uint i = 0u; i < count; ++i) {
-    const uvec2 key = Keys(arrays.keys).at[i * pixels + pixel];
-    const vec3 step = Vectors(arrays.through).at[i * pixels + pixel];
+    const uvec2 key = keys.at[i * pixels + pixel];
+    const vec3 step = throughs.at[i * pixels + pixel];
     uint place = i;
-    for (; place > 0u && in_front(key, keys[place - 1u]); --place) {
-      keys[place] = keys[place - 1u];
+    for (; place > 0u && in_front(key, sorted[place - 1u]); --place) {
+      sorted[place] = sorted[place - 1u];
       through[place] = through[place - 1u];
     }
-    keys[place] = key;
+    sorted[place] = key;
     through[place] = step;
   }
   vec3 product = vec3(1.0);
   for (uint i = 0u; i < count; ++i) {
     product *= through[i];
-    Keys(arrays.keys).at[i * pixels + pixel] = keys[i];
-    Vectors(arrays.through).at[i * pixels + pixel] = product;
+    keys.at[i * pixels + pixel] = sorted[i];
+    throughs.at[i * pixels + pixel] = product;
   }
 }

@@ -12,6 +12,8 @@ layout(constant_id = 0) const uint kNodes = 8u;
 bool dims(Fragment f) { return transmittance(f) != vec3(1.0); }
 
 void take_turn(uint pixel, uint before, Fragment f) {
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
   const uint pixels = view.size.x * view.size.y;
   uvec2 key = node_key(f.depth, f.id);
   vec3 through = transmittance(f);
@@ -20,14 +22,14 @@ void take_turn(uint pixel, uint before, Fragment f) {
     const Farthest nodes = farthest_nodes(kNodes, pixel, pixels);
     place = nodes.last_at;
     if (in_front(key, nodes.last_but_one)) {   // the two nodes become one; the fragment has the free place
-      Vectors(arrays.through).at[nodes.last_but_one_at] *= Vectors(arrays.through).at[place];
+      throughs.at[nodes.last_but_one_at] *= throughs.at[place];
     } else {
-      through *= Vectors(arrays.through).at[place];
+      through *= throughs.at[place];
       if (in_front(nodes.last, key)) key = nodes.last;
     }
   }
-  Keys(arrays.keys).at[place] = key;
-  Vectors(arrays.through).at[place] = through;
+  keys.at[place] = key;
+  throughs.at[place] = through;
 }
 
 #endif

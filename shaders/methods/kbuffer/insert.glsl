@@ -11,6 +11,9 @@ bool g_evicted = false;
 vec3 g_evicted_light, g_evicted_through;
 
 void take_turn(uint pixel, uint before, Fragment f) {
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
+  Vectors lights = Vectors(arrays.light);
   const uint pixels = view.size.x * view.size.y;
   const uvec2 key = node_key(f.depth, f.id);
   const vec3 light = f.color + f.emission, through = transmittance(f);
@@ -24,12 +27,12 @@ void take_turn(uint pixel, uint before, Fragment f) {
       g_evicted_through = through;
       return;
     }
-    g_evicted_light = Vectors(arrays.light).at[place];
-    g_evicted_through = Vectors(arrays.through).at[place];
+    g_evicted_light = lights.at[place];
+    g_evicted_through = throughs.at[place];
   }
-  Keys(arrays.keys).at[place] = key;
-  Vectors(arrays.light).at[place] = light;
-  Vectors(arrays.through).at[place] = through;
+  keys.at[place] = key;
+  lights.at[place] = light;
+  throughs.at[place] = through;
 }
 
 void write_evicted() {

@@ -13,13 +13,15 @@ layout(binding = 12) uniform sampler2D tail_alpha;
 #include "probe/probe.glsl"
 
 vec3 probe_transmittance(uvec2 pixel, float depth) {
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
   const uint pixels = view.size.x * view.size.y, place = pixel.y * view.size.x + pixel.x;
   vec3 t = vec3(1.0);
   uint in_front = 0u;
   for (uint i = 0u; i < kNodes; ++i) {
-    const uvec2 key = Keys(arrays.keys).at[i * pixels + place];
+    const uvec2 key = keys.at[i * pixels + place];
     if (key == kNoKey || key_depth(key) >= depth) continue;
-    t *= Vectors(arrays.through).at[i * pixels + place];
+    t *= throughs.at[i * pixels + place];
     ++in_front;
   }
   if (in_front < kNodes) return t;

@@ -22,16 +22,19 @@ void main() {
   const vec4 tail = inside ? texelFetch(tail_light, at, 0) : vec4(0.0);
   count_overflow(uint(tail.a));
   if (!inside) return;
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
+  Vectors lights = Vectors(arrays.light);
   const uint pixels = size.x * size.y, pixel = uint(at.y) * size.x + uint(at.x);
   vec3 light = vec3(0.0), through = vec3(1.0);
   uvec2 key = uvec2(0u);
   for (uint i = 0u; i < kNodes; ++i) {
     uint node = i;
-    if (kInOrder != 0u) key = Keys(arrays.keys).at[i * pixels + pixel];
+    if (kInOrder != 0u) key = keys.at[i * pixels + pixel];
     else key = nearest_from(key, kNodes, pixel, pixels, node);
     if (key == kNoKey) break;
-    light += Vectors(arrays.light).at[node * pixels + pixel] * through;
-    through *= Vectors(arrays.through).at[node * pixels + pixel];
+    light += lights.at[node * pixels + pixel] * through;
+    through *= throughs.at[node * pixels + pixel];
     key = key_after(key);
   }
   const vec3 passed = texelFetch(tail_through, at, 0).rgb;

@@ -15,14 +15,15 @@ void main() {
   if (!shade_seen(f)) discard;
   const uint pixels = view.size.x * view.size.y, pixel = pixel_index();
   const uint64_t key = ordered_key(f);
+  OrderedKeys keys = OrderedKeys(arrays.keys);
   uint low = 0u, high = kNodes - 1u;   // the first slot that is not nearer lies in between, unless all are
   while (low < high) {
     const uint middle = (low + high) / 2u;
-    if (OrderedKeys(arrays.keys).at[middle * pixels + pixel] < key) low = middle + 1u;
+    if (keys.at[middle * pixels + pixel] < key) low = middle + 1u;
     else high = middle;
   }
   const uint node = low * pixels + pixel;
-  const bool stored = OrderedKeys(arrays.keys).at[node] == key;
+  const bool stored = keys.at[node] == key;
   if (stored) {
     Vectors(arrays.light).at[node] = f.color + f.emission;
     Vectors(arrays.through).at[node] = transmittance(f);

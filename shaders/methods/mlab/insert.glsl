@@ -7,6 +7,9 @@
 layout(constant_id = 0) const uint kNodes = 8u;
 
 void take_turn(uint pixel, uint before, Fragment f) {
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
+  Vectors lights = Vectors(arrays.light);
   const uint pixels = view.size.x * view.size.y;
   uvec2 key = node_key(f.depth, f.id);
   vec3 light = f.color + f.emission, through = transmittance(f);
@@ -14,11 +17,11 @@ void take_turn(uint pixel, uint before, Fragment f) {
   if (before >= kNodes) {
     const Farthest nodes = farthest_nodes(kNodes, pixel, pixels);
     place = nodes.last_at;
-    const vec3 last_light = Vectors(arrays.light).at[place], last_through = Vectors(arrays.through).at[place];
+    const vec3 last_light = lights.at[place], last_through = throughs.at[place];
     if (in_front(key, nodes.last_but_one)) {   // the two nodes become one; the fragment has the free place
-      const vec3 front_through = Vectors(arrays.through).at[nodes.last_but_one_at];
-      Vectors(arrays.light).at[nodes.last_but_one_at] += front_through * last_light;
-      Vectors(arrays.through).at[nodes.last_but_one_at] = front_through * last_through;
+      const vec3 front_through = throughs.at[nodes.last_but_one_at];
+      lights.at[nodes.last_but_one_at] += front_through * last_light;
+      throughs.at[nodes.last_but_one_at] = front_through * last_through;
     } else if (in_front(key, nodes.last)) {
       light += through * last_light;
       through *= last_through;
@@ -28,9 +31,9 @@ void take_turn(uint pixel, uint before, Fragment f) {
       through *= last_through;
     }
   }
-  Keys(arrays.keys).at[place] = key;
-  Vectors(arrays.light).at[place] = light;
-  Vectors(arrays.through).at[place] = through;
+  keys.at[place] = key;
+  lights.at[place] = light;
+  throughs.at[place] = through;
 }
 
 #endif

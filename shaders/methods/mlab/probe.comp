@@ -12,9 +12,11 @@ layout(scalar, binding = 8) readonly buffer Turns { uint turns[]; };
 #include "probe/probe.glsl"
 
 vec3 probe_transmittance(uvec2 pixel, float depth) {
+  Keys keys = Keys(arrays.keys);
+  Vectors throughs = Vectors(arrays.through);
   const uint pixels = view.size.x * view.size.y, place = pixel.y * view.size.x + pixel.x, count = min(turns[place], kNodes);
   vec3 t = vec3(1.0);
   for (uint i = 0u; i < count; ++i)
-    if (key_depth(Keys(arrays.keys).at[i * pixels + place]) < depth) t *= Vectors(arrays.through).at[i * pixels + place];
+    if (key_depth(keys.at[i * pixels + place]) < depth) t *= throughs.at[i * pixels + place];
   return t;
 }

@@ -18,13 +18,15 @@ void main() {
   const uint fragments = inside ? turns[pixel] : 0u, count = min(fragments, kNodes);
   count_overflow(fragments - count);
   if (!inside) return;
+  Vectors throughs = Vectors(arrays.through);
+  Vectors lights = Vectors(arrays.light);
   vec3 light = vec3(0.0), through = vec3(1.0);
   uvec2 key = uvec2(0u);
   for (uint i = 0u; i < count; ++i) {
     uint node;
     key = key_after(nearest_from(key, count, pixel, pixels, node));
-    light += Vectors(arrays.light).at[node * pixels + pixel] * through;
-    through *= Vectors(arrays.through).at[node * pixels + pixel];
+    light += lights.at[node * pixels + pixel] * through;
+    through *= throughs.at[node * pixels + pixel];
   }
   imageStore(result, at, vec4(light + texelFetch(opaque_color, at, 0).rgb * through, 1.0));
 }

@@ -9,10 +9,11 @@ struct Farthest {
 };
 
 Farthest farthest_nodes(uint count, uint pixel, uint pixels) {
+  Keys keys = Keys(arrays.keys);
   Farthest f = Farthest(uvec2(0u), uvec2(0u), 0u, 0u);
   for (uint i = 0u; i < count; ++i) {
     const uint at = i * pixels + pixel;
-    const uvec2 key = Keys(arrays.keys).at[at];
+    const uvec2 key = keys.at[at];
     if (!in_front(key, f.last)) {
       f.last_but_one = f.last;
       f.last_but_one_at = f.last_at;

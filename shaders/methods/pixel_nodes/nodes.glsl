@@ -17,10 +17,11 @@ float key_depth(uvec2 key) { return uintBitsToFloat(key.y); }
 
 // Of `count` nodes the nearest that is not nearer than `least`, or kNoKey.
 uvec2 nearest_from(uvec2 least, uint count, uint pixel, uint pixels, out uint node) {
+  Keys keys = Keys(arrays.keys);
   uvec2 nearest = kNoKey;
   node = 0u;
   for (uint i = 0u; i < count; ++i) {
-    const uvec2 key = Keys(arrays.keys).at[i * pixels + pixel];
+    const uvec2 key = keys.at[i * pixels + pixel];
     if (in_front(key, nearest) && !in_front(key, least)) {
       nearest = key;
       node = i;
