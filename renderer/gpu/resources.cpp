@@ -109,11 +109,14 @@ uint32_t texel_bytes(vk::Format format) {
     case vk::Format::eR8G8B8A8Unorm:
     case vk::Format::eR8G8B8A8Srgb:
     case vk::Format::eB10G11R11UfloatPack32:
+    case vk::Format::eR16G16Sfloat:
     case vk::Format::eR32Sfloat:
     case vk::Format::eR32Uint:
     case vk::Format::eD32Sfloat:
       return 4;
     case vk::Format::eR16G16B16A16Sfloat:
+    case vk::Format::eR32G32Sfloat:
+    case vk::Format::eR32G32Uint:
       return 8;
     case vk::Format::eR32G32B32A32Sfloat:
       return 16;

@@ -37,6 +37,9 @@ struct Needs {
   std::vector<BufferNeed> buffers;
 };
 
+/// Bytes of all of them for a picture of `size`; drivers may round them up.
+uint64_t bytes_of(const Needs& needs, glm::uvec2 size);
+
 /// A method's declared resources, made real for one picture size.
 class Resources {
  public:

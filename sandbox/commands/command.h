@@ -39,6 +39,9 @@ struct DrawFlags {
   uint64_t memory_limit_mib = 0;
   std::string out = "out";
 };
+/// "640x360". Throws UsageError.
+glm::uvec2 parse_size(const std::string& text);
+
 /// Those that say what is drawn, and on what.
 void add_picture_flags(CLI::App& command, DrawFlags& flags);
 /// Those, and the ones that say which frames and where they go.

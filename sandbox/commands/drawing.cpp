@@ -59,16 +59,6 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   return std::pair{text.substr(0, at), text.substr(at + 1)};
 }
 
-glm::uvec2 parse_size(const std::string& text) {
-  const auto parts = split(text, 'x');
-  const auto width = parts ? parse_number(parts->first) : std::nullopt;
-  const auto height = parts ? parse_number(parts->second) : std::nullopt;
-  const auto fits = [](std::optional<uint32_t> n) { return n && *n >= 1 && *n <= 16384; };
-  if (!fits(width) || !fits(height))
-    throw UsageError(fmt::format("--size {}: expected WxH with both from 1 to 16384, such as 640x360", text));
-  return {*width, *height};
-}
-
 Shard parse_shard(const std::string& text) {
   const auto parts = split(text, '/');
   const auto index = parts ? parse_number(parts->first) : std::nullopt;
@@ -79,6 +69,16 @@ Shard parse_shard(const std::string& text) {
 }
 
 }  // namespace
+
+glm::uvec2 parse_size(const std::string& text) {
+  const auto parts = split(text, 'x');
+  const auto width = parts ? parse_number(parts->first) : std::nullopt;
+  const auto height = parts ? parse_number(parts->second) : std::nullopt;
+  const auto fits = [](std::optional<uint32_t> n) { return n && *n >= 1 && *n <= 16384; };
+  if (!fits(width) || !fits(height))
+    throw UsageError(fmt::format("--size {}: expected WxH with both from 1 to 16384, such as 640x360", text));
+  return {*width, *height};
+}
 
 void add_picture_flags(CLI::App& command, DrawFlags& flags) {
   command.add_option_function<std::string>(

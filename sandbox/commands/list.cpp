@@ -13,9 +13,19 @@ using nlohmann::json;
 struct ListFlags {
   std::string what;
   bool json = false;
+  glm::uvec2 size{640, 360};
 };
 
-json list_methods() {
+/// Of a method at a size, with nothing to draw, and for each card more; lists of fragments grow beyond it.
+json memory_of(const Method& method, glm::uvec2 size) {
+  Transparents cards;
+  const uint64_t empty = bytes_of(method.needs(size, cards), size);
+  cards.count = cards.counts[size_t(Source::kScalar)] = 100'000;
+  const uint64_t full = bytes_of(method.needs(size, cards), size);
+  return {{"size", {size.x, size.y}}, {"bytes", empty}, {"bytes_a_card", double(full - empty) / 100'000}};
+}
+
+json list_methods(glm::uvec2 size) {
   json list = json::array();
   for (const std::string& id : method_ids()) {
     const auto method = make_method(id);
@@ -27,6 +37,9 @@ json list_methods() {
                     {"emission", traits.emission},
                     {"outputs", to_text(method->outputs())},
                     {"limits", traits.limits},
+                    {"exact", traits.exact},
+                    {"street_rmse", traits.exact ? json(nullptr) : json(traits.street_rmse)},
+                    {"memory", memory_of(*method, size)},
                     {"parameters", parameter_list(*method)}});
   }
   return list;
@@ -124,6 +137,15 @@ void print_for_people(const json& list) {
     fmt::print("{:<16} {}\n", text_of(entry["id"]), text_of(entry["title"]));
     for (const char* key : {"description", "source", "transmission", "emission", "outputs", "limits"})
       if (entry.contains(key)) fmt::print("    {}: {}\n", key, text_of(entry[key]));
+    if (entry.contains("memory")) {
+      const json& memory = entry["memory"];
+      fmt::print("    error: {}\n",
+                 entry["exact"] ? "none while nothing overflows"
+                                : fmt::format("RMSE on street below {}", text_of(entry["street_rmse"])));
+      fmt::print("    memory at {}x{}: {:.1f} MiB, {:.0f} bytes a card\n", text_of(memory["size"][0]),
+                 text_of(memory["size"][1]), memory["bytes"].get<double>() / 1048576.0,
+                 memory["bytes_a_card"].get<double>());
+    }
     for (const json& p : entry.value("parameters", json::array()))
       fmt::print("    --set {}.{}={}   [{}]  {}\n", text_of(entry["id"]), text_of(p["name"]),
                  text_of(p["value"]), range_of(p), text_of(p["help"]));
@@ -132,7 +154,7 @@ void print_for_people(const json& list) {
 
 int run_list(const ListFlags& flags) {
   json list;
-  if (flags.what == "methods") list = list_methods();
+  if (flags.what == "methods") list = list_methods(flags.size);
   if (flags.what == "devices") list = list_devices();
   if (list.is_null()) {
     const PresetLibrary library(preset_root());
@@ -160,6 +182,9 @@ void add_list(CLI::App& program, Run& run) {
         const bool found = std::find(known.begin(), known.end(), what) != known.end();
         return found ? "" : fmt::format("unknown list `{}`, {}", what, suggestion(what, known));
       });
+  command->add_option_function<std::string>(
+      "--size", [flags](const std::string& text) { flags->size = parse_size(text); },
+      "picture size of the methods' memory, WxH");
   command->add_flag("--json", flags->json, "everything, for programs");
   command->callback([flags, &run] { run = [flags] { return run_list(*flags); }; });
 }

@@ -20,7 +20,7 @@ layout(location = 6) out vec4 sixth;
 
 void main() {
   const Fragment f = shade();
-  if (kDivisor > 1u && f.depth * texelFetch(opaque_depth, shaded_pixel(), 0).r > view.near_m) discard;   // behind the whole cell
+  if (kDivisor > 1u && f.depth * opaque_here() > view.near_m) discard;   // behind the whole cell
   const vec3 a = absorbance(kRgb != 0u ? transmittance(f) : vec3(1.0 - gray_coverage(f)));
   vec4 low, high;
   basis(warped(warp, f.depth), low, high);

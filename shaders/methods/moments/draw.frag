@@ -9,7 +9,7 @@
 void main() {
   const Fragment f = shade();
   bool unsure;
-  const vec3 t = transmittance_at(shaded_pixel(), f.depth, unsure);
+  const vec3 t = transmittance_at(ivec2(gl_FragCoord.xy), f.depth, unsure);
   write_weighted(f, t * kWeightScale, t, kRgb != 0u);
   emission.a = unsure ? 1.0 : 0.0;   // counted
 }

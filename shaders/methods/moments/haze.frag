@@ -10,6 +10,6 @@ void main() {
   const vec2 shift = haze_shift();
   if (shift == vec2(0.0)) discard;
   bool unsure;
-  const vec3 t = transmittance_at(shaded_pixel(), v_uv_depth.z, unsure);
+  const vec3 t = transmittance_at(ivec2(gl_FragCoord.xy), v_uv_depth.z, unsure);
   distortion = haze_sample(shift, dot(t, vec3(1.0 / 3.0)));
 }

@@ -14,8 +14,8 @@ layout(location = 0) out vec4 surface;
 void main() {
   const Fragment f = shade();
   bool unsure;
-  const vec3 t = transmittance_at(shaded_pixel(), f.depth, unsure);
-  const vec4 passed = texelFetch(through, shaded_pixel(), 0), weights = texelFetch(norm, shaded_pixel(), 0);
+  const vec3 t = transmittance_at(ivec2(gl_FragCoord.xy), f.depth, unsure);
+  const vec4 passed = texelFetch(through, ivec2(gl_FragCoord.xy), 0), weights = texelFetch(norm, ivec2(gl_FragCoord.xy), 0);
   const vec3 covered = 1.0 - (kRgb != 0u ? passed.rgb : passed.rrr);
   const vec3 fraction = t * kWeightScale * covered / max(kRgb != 0u ? weights.rgb : weights.aaa, vec3(1e-5));
   const float coverage = gray_coverage(f);

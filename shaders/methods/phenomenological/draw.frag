@@ -23,7 +23,7 @@ void main() {
   const Share light = gray_share(f);
   accum = vec4(light.inside, alpha) * weight(f.depth, alpha);
   emission = vec4(light.outside, 0.0);
-  const float behind = view.near_m / max(texelFetch(opaque_depth, shaded_pixel(), 0).r, 1e-9) - f.depth;
+  const float behind = view.near_m / max(opaque_here(), 1e-9) - f.depth;
   const float pixels_a_radian = 0.5 * float(view.size.y) / view.tan_half_fov.y;
   const float blur = v_transmission.a * f.coverage * kReach * max(behind, 0.0) / (kFocus + max(behind, 0.0)) / f.depth * pixels_a_radian;
   const float variance = min(blur * blur, 4096.0);   // half floats sum a few of them
