@@ -6,11 +6,12 @@
 // first, and a second pass builds V from the list and walks it again. Nothing divides by a transmittance, so
 // opaque fragments need no guard. See shaders/methods/adaptive/visibility.glsl.
 //
-// The paper inserts in the order in which fragments arrive, and the result depends on it. Here a list is
-// inserted in the order of its cards, so that the order of draws changes no bit; sorted by depth first, the
-// compression would look better than it is. Fragments of equal depth are ordered by card, where the paper
-// lets each be seen unobstructed by the other. The paper's visibility is one function: `rgb` keeps one a
-// channel, with shared depths and the mean of their errors.
+// Which way a removed step moves, and that the first and the last node stay, is as in the authors' published
+// sample. Fragments are inserted as they arrive there, and the result depends on it. Here a list is inserted
+// in the order of its cards, so that the order of draws changes no bit; sorted by depth first, the
+// compression would look better than it is. Fragments of equal depth are ordered by card, so that one hides
+// the other. The paper's visibility is one function: `rgb` keeps one a channel, with shared depths and the
+// mean of their errors. What blocks nothing takes no node.
 //
 // Limits: a removed step moves towards the camera, over what lies between: with few nodes and many
 // near-opaque layers, fragments hide themselves.
@@ -26,7 +27,7 @@ class Adaptive final : public Method {
   std::string_view id() const override { return "adaptive"; }
   Traits traits() const override {
     return {.title = "Adaptive transparency",
-            .source = "Salvi, Montgomery and Lefohn, High Performance Graphics 2011, section 3",
+            .source = "Salvi, Montgomery and Lefohn, High Performance Graphics 2011",
             .transmission = rgb_ ? "RGB" : "the mean of RGB",
             .emission = "seen through the visibility in front of it, as all light",
             .limits =

@@ -30,7 +30,7 @@ class LinkedList final : public Method {
             .transmission = "RGB, exact; in the tail, RGB and exact in all",
             .emission = "exact; in the tail, in its average where covered, added where not",
             .limits =
-                "memory for the fragments of a picture must be guessed: what is drawn after the pool is "
+                "memory for the fragments of a picture must be guessed: what comes after the pool is "
                 "full falls behind the rest",
             .exact = true};
   }
