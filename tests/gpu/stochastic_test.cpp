@@ -140,6 +140,23 @@ TEST_F(StochasticTest, ACardIsNotBehindItselfHoweverSteep) {
     }
 }
 
+TEST_F(StochasticTest, CardsOfOneDepthDoNotHideEachOther) {
+  // A known failure: samples hold a depth and not which card has it.
+  size = {16, 8};
+  const auto red_and_green = [&](float behind) {
+    clear_cards();
+    add({.z = 5, .optical_depth = 2, .color = {1, 0, 0}});
+    add({.z = 5 + behind, .optical_depth = 2, .color = {0, 1, 0}});
+    return draw_cards("stochastic", {{"passes", "16"}, {"alpha_correction", "false"}}).linear.pixels[0];
+  };
+  const float alpha = 1 - std::exp(-2.0f);
+  const glm::vec3 tied = red_and_green(0), apart = red_and_green(0.001f);
+  EXPECT_NEAR(alpha, tied.r, 0.002);
+  EXPECT_NEAR(alpha, tied.g, 0.002);
+  EXPECT_NEAR(alpha, apart.r, 0.002);
+  EXPECT_NEAR(alpha * (1 - alpha), apart.g, 0.1);
+}
+
 TEST_F(StochasticTest, NothingLeaksAlongTheEdgeOfAnOpaqueCard) {
   // Samples that the card itself misses, in pixels whose centre it covers, would let it through.
   size = {64, 36};
