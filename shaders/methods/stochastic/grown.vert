@@ -1,5 +1,5 @@
-// Cards grown by a pixel on every side: wherever a pixel's centre lies on the card, so do all its samples. With their planes, so that
-// a fragment's depth comes out the same in every draw: see plane_depth.glsl.
+// Cards grown by a pixel on every side: wherever a pixel's centre lies on the card, so do all its samples. With their planes, so
+// that a fragment's depth comes out the same in every draw: see plane_depth.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/card.glsl"
@@ -16,8 +16,8 @@ void main() {
     return;
   }
   const vec3 normal = cross(card.axis_u, card.axis_v);
-  v_inverse_depth = vec3(dot(view.forward, normal), dot(view.right, normal) * view.tan_half_fov.x, -dot(view.up, normal) * view.tan_half_fov.y) /
-                    dot(card.center - view.camera, normal);
+  const vec2 slope = vec2(dot(view.right, normal), -dot(view.up, normal)) * view.tan_half_fov;
+  v_inverse_depth = vec3(dot(view.forward, normal), slope) / dot(card.center - view.camera, normal);
   const vec2 uv = kCorners[gl_VertexIndex];
   const vec3 arm = card.center + card.axis_u * uv.x + card.axis_v * uv.y - view.camera;
   const float pixel_m = abs(dot(arm, view.forward)) * 2.0 * view.tan_half_fov.y / float(view.size.y);
