@@ -10,7 +10,7 @@
 // pixel on a card's edge to within rounding may fall to the other side of it than in a draw.
 #include "shaders/methods/tile_sorted/tile_sorted.h"
 
-#include <bit>
+#include <cstddef>
 
 #include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
@@ -90,6 +90,7 @@ class TileSorted final : public Method {
   Needs needs(glm::uvec2 size, const Transparents& transparents) const override {
     const Grid grid = grid_of(size, transparents);
     const uint64_t count = std::max(transparents.count, 1u);
+    const glm::uvec2 squares = squares_of(size);
     Needs needs{
         .images = {},
         .buffers = {{.name = "pairs", .bytes = count * 8, .clear = {}},
@@ -100,6 +101,9 @@ class TileSorted final : public Method {
                     {.name = "masks", .bytes = grid.mask_bytes(), .clear = 0},
                     {.name = "counts", .bytes = uint64_t(grid.count_words) * 4, .clear = {}},
                     {.name = "entries", .bytes = uint64_t(capacity_) * 4, .clear = {}},
+                    {.name = "squares",
+                     .bytes = sizeof(shared::WalkSquares) + uint64_t(squares.x) * squares.y * 2 * 4,
+                     .clear = {}},
                     {.name = "totals", .bytes = sizeof(TileTotals), .clear = {}},
                     {.name = "tilted_order", .bytes = count * 4, .clear = {}},
                     {.name = "tilted_draw", .bytes = sizeof(shared::DrawCommand), .clear = {}}}};
@@ -152,20 +156,7 @@ class TileSorted final : public Method {
                                  .order = buffer("tilted_order"),
                                  .indirect = buffer("tilted_draw")});
       });
-    picture.frame.pass("walk", [&](gpu::Pass& pass) {
-      gpu::Bindings bindings = walk_bindings(picture);
-      bindings.insert(bindings.end(), {{"View", transparents.view},
-                                       {"opaque_color", &picture.opaque_color},
-                                       {"result", &picture.result}});
-      struct Push {
-        TileGrid grid;
-        float stop_below;
-      };
-      pass.dispatch(pass.pipelines().compute("methods/tile_sorted/walk.comp", {grid.tile, tilted_ ? 1u : 0u}),
-                    bindings, Push{.grid = grid, .stop_below = stop_below_},
-                    {gpu::groups(picture.size.x, shared::kWalkSquare),
-                     gpu::groups(picture.size.y, shared::kWalkSquare), 1});
-    });
+    picture.frame.pass("walk", [&](gpu::Pass& pass) { record_walk(pass, picture, grid); });
     drawn_tile_ = grid.tile;
   }
 
@@ -202,6 +193,9 @@ class TileSorted final : public Method {
  private:
   Grid grid_of(glm::uvec2 size, const Transparents& transparents) const {
     return Grid(shared::kWalkSquare << tile_, size, transparents.count);
+  }
+  static glm::uvec2 squares_of(glm::uvec2 size) {
+    return {gpu::groups(size.x, shared::kWalkSquare), gpu::groups(size.y, shared::kWalkSquare)};
   }
   static uint32_t bound_spans(uint32_t cards) { return std::max(gpu::groups(cards, shared::kBoundSpan), 1u); }
 
@@ -246,6 +240,44 @@ class TileSorted final : public Method {
     pass.dispatch(pass.pipelines().compute("methods/tile_sorted/fill.comp"),
                   {{"Totals", buffer("totals")}, {"Counts", buffer("counts")}, {"Masks", buffer("masks")}},
                   TileGrid(grid), many_groups(uint64_t(grid.number()) * grid.spans));
+  }
+
+  /// One pass over the picture; with tilted cards two, of the squares without and of those with their
+  /// fragments.
+  void record_walk(gpu::Pass& pass, const Picture& picture, const Grid& grid) const {
+    const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+    gpu::Bindings bindings = walk_bindings(picture);
+    bindings.insert(bindings.end(), {{"View", picture.transparents.view},
+                                     {"Squares", buffer("squares")},
+                                     {"opaque_color", &picture.opaque_color},
+                                     {"result", &picture.result}});
+    struct Push {
+      TileGrid grid;
+      float stop_below;
+    };
+    const Push push{.grid = grid, .stop_below = stop_below_};
+    const glm::uvec2 squares = squares_of(picture.size);
+    const uint32_t number = squares.x * squares.y;
+    const auto walk = [&](bool tilted, bool listed) -> const gpu::Pipeline& {
+      return pass.pipelines().compute("methods/tile_sorted/walk.comp",
+                                      {grid.tile, tilted ? 1u : 0u, listed ? 1u : 0u});
+    };
+    constexpr uint32_t kMostGroups = 65535;  // of an indirect dispatch, on every device
+    if (!tilted_ || number > kMostGroups) {
+      pass.dispatch(walk(tilted_, false), bindings, push, {squares.x, squares.y, 1});
+      return;
+    }
+    pass.update(*buffer("squares"), shared::WalkSquares{.groups = {{0, 1, 1}, {0, 1, 1}}, .number = number});
+    pass.barrier();
+    pass.dispatch(pass.pipelines().compute("methods/tile_sorted/classify.comp"),
+                  {{"Heads", buffer("heads")}, {"Squares", buffer("squares")}}, picture.size,
+                  {squares.x, squares.y, 1});
+    pass.barrier();
+    for (const bool tilted : {false, true}) {
+      pass.dispatch(walk(tilted, true), bindings, push, {0, 1, 1});  // binds; the device knows how many
+      pass.commands().dispatchIndirect(buffer("squares")->vk(), offsetof(shared::WalkSquares, groups) +
+                                                                    (tilted ? 3 : 0) * sizeof(uint32_t));
+    }
   }
 
   static gpu::Bindings walk_bindings(const Picture& picture) {

@@ -32,6 +32,13 @@ struct TileTotals {
   uint stopped_pixels;  // which nothing behind could change any more
 };
 
+// Squares of the walk, in two lists of `number` places each: those without and those with fragments of tilted
+// cards. A word is x | y << 16.
+struct WalkSquares {
+  uint groups[2][3];  // VkDispatchIndirectCommand of each list
+  uint number;
+};
+
 struct TileGrid {
   uvec2 tiles;
   uint cards;

@@ -17,8 +17,10 @@
 layout(local_size_x = 64) in;   // for a square of kWalkSquare pixels, each way
 layout(constant_id = 0) const uint kTile = 16u;     // pixels
 layout(constant_id = 1) const uint kTilted = 0u;    // there are fragments of tilted cards
+layout(constant_id = 2) const uint kListed = 0u;    // work groups take squares from the list of those with or without them
 layout(binding = 13) uniform sampler2D opaque_color;
 layout(binding = 14, rgba16f) writeonly uniform image2D result;
+layout(scalar, binding = 15) readonly buffer Squares { WalkSquares squares; uint listed[]; };
 layout(push_constant, scalar) uniform Push {
   TileGrid grid;
   float stop_below;   // radiance as exposed
@@ -56,10 +58,16 @@ float brightest(vec3 c) { return max(c.r, max(c.g, c.b)); }
 // Every second bit of the lowest eight.
 uint half_bits(uint i) { return (i & 1u) | (i >> 1u & 2u) | (i >> 2u & 4u) | (i >> 3u & 8u); }
 
+uvec2 square() {
+  if (kListed == 0u) return gl_WorkGroupID.xy;
+  const uint packed = listed[kTilted * squares.number + gl_WorkGroupID.x];
+  return uvec2(packed & 0xffffu, packed >> 16u);
+}
+
 // Bits of an index are those of x and y in turn: any run of threads has a block.
 uvec2 pixel_of(uint p) {
   const uint i = (gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID) * kPixels + p;
-  return gl_WorkGroupID.xy * kWalkSquare + uvec2(half_bits(i), half_bits(i >> 1u));
+  return square() * kWalkSquare + uvec2(half_bits(i), half_bits(i >> 1u));
 }
 
 void main() {
@@ -91,7 +99,7 @@ void main() {
   const vec2 block = 0.5 * (low + high), half_block = 0.5 * (high - low);
   farthest = subgroupMin(farthest);
 
-  const uvec2 tile = gl_WorkGroupID.xy * kWalkSquare / kTile;
+  const uvec2 tile = square() * kWalkSquare / kTile;
   const uvec2 range = list_of(tile.y * grid.tiles.x + tile.x, grid.spans);
   Entries list = Entries(totals.address);
   uint stopped = 0u;
