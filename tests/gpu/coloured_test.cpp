@@ -78,6 +78,13 @@ TEST_F(ColouredTest, GlassTintsTheBackgroundButNotTheLayerBehindIt) {
   EXPECT_GT(got.g, 0.1f);
 }
 
+TEST_F(ColouredTest, TheProbeTellsTheShareOfAnOpaqueFragment) {
+  const WeightedLayer one{.coverage = 0.6, .transmission = {0.9, 0.2, 0.1}, .z = 3};
+  stack({one});
+  const double a = one.reduced(), share = weight(1, 5, {false, 1}) * a / (a * weight(a, one.z, {false, 1}));
+  expect_near(glm::dvec3(share), probe_at("coloured", 5), 4e-3 * share, "probe");
+}
+
 TEST_F(ColouredTest, ClearGlassThatCoversReflectsWithoutVanishing) {
   scene.light.horizon = {0.5f, 0.5f, 0.5f};
   stack({{.color = {0.2, 0.1, 0.05}, .coverage = 1, .transmission = {1, 1, 1}, .z = 3}});

@@ -89,6 +89,30 @@ TEST_F(PhenomenologicalTest, TheBackgroundIsModulatedBeforeCoverageIsReduced) {
   expect_near(glass.passed(), middle(draw("phenomenological")), 2e-3, "modulated");
 }
 
+TEST_F(PhenomenologicalTest, TheProbeTellsTheShareOfAnOpaqueFragment) {
+  const WeightedLayer one{.coverage = 0.6, .transmission = {0.9, 0.2, 0.1}, .z = 3};
+  stack({one});
+  const glm::dvec3 share =
+      weight(1, 5) * (1.0 - one.passed()) / (one.reduced() * weight(one.reduced(), one.z));
+  expect_near(share, probe_at("phenomenological", 5), 6e-3 * brightest(share), "probe");
+}
+
+// Weights stay below 30, so it takes radiance in the hundreds: fire.
+TEST_F(PhenomenologicalTest, BrightLightThatOverflowsSixteenBitsIsCountedAndShownAsItsCoverage) {
+  scene.near_m = 0.5f;
+  const auto shot = [&](int fragments, const char* sums) {
+    stack(std::vector<WeightedLayer>(size_t(fragments), {.color = {120, 60, 30}, .coverage = 1, .z = 0.5}));
+    return draw("phenomenological", {{"self_modulation", "false"}, {"sums", sums}});
+  };
+  const Drawn fits = shot(18, "half"), too_many = shot(19, "half"), wide = shot(19, "float");
+  EXPECT_EQ(0u, fits.statistics["overflowed_pixels"]);
+  EXPECT_EQ(size.x * size.y, too_many.statistics["overflowed_pixels"]);
+  EXPECT_EQ(0u, wide.statistics["overflowed_pixels"]);
+  expect_near({120, 60, 30}, middle(fits), 0.2, "fits");
+  expect_near({1, 1, 1}, middle(too_many), 1e-3, "the published patch");
+  expect_near({120, 60, 30}, middle(wide), 0.2, "32 bits");
+}
+
 TEST_F(PhenomenologicalTest, ADiffuserBlursAnEdgeByItsEquationAndNotWhereItTouches) {
   size = {128, 32};
   scene.camera[0].vertical_fov_deg = 8;

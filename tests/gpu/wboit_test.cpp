@@ -184,6 +184,18 @@ TEST_F(WboitTest, TheDepthOfTheCompositeIsTheMeanOfItsLayersByTheirShares) {
   }
 }
 
+TEST_F(WboitTest, TheProbeTellsTheShareOfAnOpaqueFragmentAtEveryResolution) {
+  const std::vector<WeightedLayer> layers{{.coverage = 0.6, .z = 3}, {.coverage = 0.5, .z = 7}};
+  stack(layers);
+  const Model m = model("eq7", layers);
+  for (const double z : {2.0, 5.0, 9.0}) {
+    const double share = wboit_weight("eq7", {}, 1, z, scene.near_m, scene.far_m) * m.covers / m.sum;
+    for (const char* particles : {"full", "half"})
+      expect_near(glm::dvec3(share), probe_at("wboit", z, {{"particles", particles}}), 4e-3 * share,
+                  particles);
+  }
+}
+
 TEST_F(WboitTest, AnOpaqueLayerDoesNotHideTheNextOne) {
   stack({{.color = {1, 0, 0}, .coverage = 1, .z = 2}, {.color = {0, 1, 0}, .coverage = 1, .z = 4}});
   expect_near({1, 0, 0}, middle(draw("reference")), 1e-3, "reference");

@@ -78,6 +78,14 @@ class WeightedTest : public AvboitTest {
     w->targets = Targets(device, size, post);
     return draw(*w, id, settings);
   }
+  /// What the method believes to be in front of a depth, in the middle of the picture.
+  glm::vec3 probe_at(std::string_view id, double z, const std::map<std::string, std::string>& settings = {}) {
+    const auto w = world();
+    MethodInstance method = instance(id, settings);
+    const Probe probe(device, {size.x / 2, size.y / 2}, {float(z)});
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    return probe.read_answer(device)[0];
+  }
   const glm::vec3& middle(const Drawn& drawn) const {
     return drawn.pixels[size_t(size.y / 2) * size.x + size.x / 2];
   }
