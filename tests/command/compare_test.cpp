@@ -1,5 +1,6 @@
 // plume compare: what it writes, what it prints, and that both are the same tomorrow.
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "renderer/methods/methods.h"
@@ -103,7 +104,7 @@ TEST_F(CompareTest, GpuTimeIsThatOfAllPasses) {
     double sum = 0, own = 0;
     for (const json& pass : frame["passes"]) {
       sum += pass["median_ms"].get<double>();
-      if (!Names{"cards", "depth", "opaque", "display"}.contains(pass["name"].get<std::string>()))
+      if (!std::set<std::string>{"cards", "depth", "opaque", "display"}.contains(pass["name"]))
         own += pass["median_ms"].get<double>();
     }
     EXPECT_NEAR(frame["gpu_ms"].get<double>(), sum, 1e-9) << frame;

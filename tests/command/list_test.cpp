@@ -38,7 +38,9 @@ TEST_F(ListTest, DescribesEveryMethodAndParameter) {
     for (const char* key : {"title", "source", "transmission", "emission", "outputs", "limits"})
       EXPECT_FALSE(method.at(key).get<std::string>().empty()) << key;
     EXPECT_GE(method.at("memory").at("bytes"), 0);
-    if (!method.at("exact")) EXPECT_GT(method.at("street_rmse"), 0);
+    if (!method.at("exact")) {
+      EXPECT_GT(method.at("street_rmse"), 0);
+    }
     for (const json& parameter : method.at("parameters")) {
       ++parameters;
       SCOPED_TRACE(parameter.dump());

@@ -23,7 +23,9 @@ TEST_F(ProbeTest, TellsTheFragmentsAndEveryMethodsTransmittance) {
   std::vector<std::string> methods;
   for (const json& method : told.at("methods")) {
     methods.push_back(method.at("method"));
-    if (method.at("status") == "ok") EXPECT_EQ(method.at("transmittance").size(), 33u) << methods.back();
+    if (method.at("status") == "ok") {
+      EXPECT_EQ(method.at("transmittance").size(), 33u) << methods.back();
+    }
   }
   EXPECT_EQ(methods, method_ids());
 
