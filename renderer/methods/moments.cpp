@@ -7,7 +7,9 @@
 // a far one changes the near ones. At lower resolutions what one texel sums is seen by its neighbours.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
 
 #include "renderer/methods/methods.h"
 #include "renderer/methods/weighted.h"

@@ -151,7 +151,7 @@ vec4 refined(vec4 y, vec4 a) {
   return y - mix(value / apart, vec4(0.0), equal(apart, vec4(0.0)));
 }
 
-// Those of q(y).
+// Those of q(y); a second step, because the quartic's first guess loses half of its digits where one root is far larger than the rest.
 vec4 roots(vec4 a) {
   if (kNodes == 2u) {
     const float h = -0.5 * a.x, spread = sqrt(max(h * h - a.y, 0.0)), larger = h < 0.0 ? h - spread : h + spread;
@@ -193,7 +193,9 @@ float share_in_front(vec4 low, vec4 high, float w, out bool unsure) {
   const float p = kPower ? 0.0 : phase_of(w);
   Seen seen;
   if (kPower) {
-    const vec4 wide_low = kNodes == 2u ? vec4(0.0, 0.375, 0.0, 0.375) : kNodes == 3u ? vec4(0.0, 0.48, 0.0, 0.451) : vec4(0.0, 0.75, 0.0, 0.67667);
+    const vec4 wide_low = kNodes == 2u   ? vec4(0.0, 0.375, 0.0, 0.375)
+                          : kNodes == 3u ? vec4(0.0, 0.48, 0.0, 0.451)
+                                         : vec4(0.0, 0.75, 0.0, 0.67667);
     const vec4 wide_high = kNodes == 3u ? vec4(0.0, 0.45, 0.0, 0.0) : vec4(0.0, 0.63, 0.0, 0.60030);
     seen = seen_from_depth(mix(low, wide_low, kBias), mix(high, wide_high, kBias), w);
   } else {
