@@ -1,11 +1,14 @@
 // Wavelet transparency: absorbance over depth in the Haar basis, a few coefficients a pixel that fragments
 // add to in any order; each is then drawn with the transmittance that they give at its depth. Aizenshtein,
-// Smal and McGuire, "Wavelet Transparency", arXiv 2201.00094, 2022; the transform is in
-// shaders/methods/wavelets/haar.glsl.
+// Smal and McGuire, "Wavelet Transparency", 2022; the transform is in shaders/methods/wavelets/haar.glsl.
 //
-// Coefficients are added to atomically, in 32-bit floats. A fragment's absorbance is at most 16, that of
-// alpha 1: the rest is counted. Limits: what shares a leaf mixes, and how much changes with where in the leaf
-// it lies.
+// Coefficients are added to atomically, in 32-bit floats; what dims all channels alike goes into sums of its
+// own, so that only coloured things pay for colour. A fragment's absorbance is at most 16: alpha 1 is beyond
+// it, and counted. Depths are logarithmic, in a range that is each pixel's own or fixed.
+//
+// Limits: what shares a leaf mixes, and how much changes with where in the leaf it lies. In a fixed range the
+// colours of near-opaque things swing as the camera moves. In a pixel's own they keep their places, until
+// something nearer or farther comes into it and stretches it.
 #include "renderer/methods/absorbance_cells.h"
 #include "renderer/methods/methods.h"
 #include "renderer/methods/weighted.h"

@@ -6,7 +6,7 @@
 // wavelet by its inverse: left out). A fragment lies in one node a level. The mean of A over a leaf, one of 2^(kRank + 1), is
 // s +- d on the way to it; between neighbouring leaves' means A is interpolated.
 //
-// Places are scaled so that the last one is the last leaf's beginning, as published: what is there is in the last leaf's mean.
+// Places are scaled so that the last one is the last leaf's beginning: what is there is in the last leaf's mean, and not lost.
 #ifndef PLUME_WAVELETS_HAAR_GLSL
 #define PLUME_WAVELETS_HAAR_GLSL
 #extension GL_EXT_buffer_reference : require
