@@ -1,5 +1,5 @@
-// Absorbance over depth as a Fourier series. Jansen and Bavoil, "Fourier Opacity Mapping", I3D 2010, along the camera's rays instead of
-// a light's. Fragments of absorbance a_i at x_i, 0..1 along a cell's ray, are kept as
+// Absorbance over depth as a Fourier series. Jansen and Bavoil, "Fourier Opacity Mapping", I3D 2010, along the rays of the camera, not
+// of a light. Fragments of absorbance a_i at x_i, 0..1 along a cell's ray, are kept as
 //   c = sum a_i,   p_k = sum a_i cos(2 pi k x_i),   q_k = sum a_i sin(2 pi k x_i),   k = 1..kPairs,
 // and what they absorb in front of x is
 //   A(x) = c x + sum_k (p_k sin(2 pi k x) + q_k (1 - cos(2 pi k x))) / (pi k).
