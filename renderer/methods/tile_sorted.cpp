@@ -1,13 +1,15 @@
 // Tile-sorted compute, as renderers of Gaussian splats do it (Kerbl et al., "3D Gaussian Splatting for
 // Real-Time Radiance Field Rendering", SIGGRAPH 2023, section 6): all cards are sorted once by depth and
-// listed, in that order, by the screen tiles that they touch; then one thread a pixel walks its tile's list
-// front to back, shades, composites in registers and stops when nothing behind can matter.
+// listed, in that order, by the screen tiles that they touch; then every pixel walks its tile's list front to
+// back, shades, composites in registers and stops when nothing behind can matter.
 //   image = sum_i L_i prod_{j<i} t_j  +  background prod_i t_i
 // It differs from the paper in that it stops by what can still come instead of by a threshold of T (what
 // shines here may be thousands bright), in that transmittance is RGB, in that lists come from bit masks
 // instead of a sort of (tile, card) pairs, and in what it does with cards that have no single depth: a tilted
-// card's fragments are captured in per-pixel linked lists and join at their own depths. Limits: one of a
-// pixel on a card's edge to within rounding may fall to the other side of it than in a draw.
+// card's fragments are captured in per-pixel linked lists and join at their own depths.
+// Limits: a pixel whose centre lies on a card's edge to within rounding may fall to the other side of it than
+// in a draw, and filters weigh texels in steps that rounding decides: noise of some 1e-3 of the brightest
+// light.
 #include "shaders/methods/tile_sorted/tile_sorted.h"
 
 #include <cstddef>
@@ -59,12 +61,15 @@ class TileSorted final : public Method {
  public:
   std::string_view id() const override { return "tile_sorted"; }
   Traits traits() const override {
-    return {.title = "Tile-sorted compute",
-            .source = "Kerbl et al. 2023, 3D Gaussian Splatting, section 6",
-            .transmission = "RGB, exact",
-            .emission = "exact",
-            .limits = "tilted cards take the road of linked lists; no haze or surface outputs",
-            .exact = true};
+    return {
+        .title = "Tile-sorted compute",
+        .source = "Kerbl et al. 2023, 3D Gaussian Splatting, section 6",
+        .transmission = "RGB, exact",
+        .emission = "exact",
+        .limits =
+            "tilted cards take the road of linked lists; no haze or surface outputs; texture filters round "
+            "otherwise than in a draw",
+        .exact = true};
   }
   void visit(ParameterVisitor& visitor) override {
     visitor.choice("tile", tile_, kTileNames,

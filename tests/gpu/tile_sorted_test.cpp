@@ -13,6 +13,11 @@ class TileSortedTest : public GpuTest {
     for (const glm::vec3& pixel : image.pixels) most = std::max({most, pixel.r, pixel.g, pixel.b});
     return most;
   }
+  /// Texture filters weigh in steps of 1/256: positions that differ in rounding fall to either side of one.
+  static void expect_same_but_for_filtering(const Image& exact, const Image& tiles, const std::string& name) {
+    EXPECT_LT(rmse(exact, tiles), 2e-4 * brightest(exact)) << name;
+    EXPECT_LT(difference(exact, tiles), 5e-3 * brightest(exact)) << name;
+  }
   static double difference(const Image& a, const Image& b) { return max_abs(a, b).value; }
 
   static Scene room() {
@@ -47,7 +52,7 @@ TEST_F(TileSortedTest, SpritesAreThoseOfADraw) {
     Stage stage(device, pipelines, library, scene);
     const Image exact = draw(stage, scene.default_tick, {160, 90}, "reference").linear;
     const Drawn tiles = draw_tiles(stage, scene.default_tick, {160, 90});
-    EXPECT_LT(difference(exact, tiles.image), 1e-3 * brightest(exact)) << name;
+    expect_same_but_for_filtering(exact, tiles.image, name);
     EXPECT_GT(tiles.statistics["cards_in_tiles"], 20) << name;
     EXPECT_EQ(0, tiles.statistics["tilted_cards"]) << name;
   }
@@ -58,7 +63,7 @@ TEST_F(TileSortedTest, GlassAndSpritesMeetAtEachPixelsDepth) {
   Stage stage(device, pipelines, library, scene);
   const Image exact = draw(stage, scene.default_tick, {160, 90}, "reference").linear;
   const Drawn tiles = draw_tiles(stage, scene.default_tick, {160, 90});
-  EXPECT_LT(difference(exact, tiles.image), 1e-3 * brightest(exact));
+  expect_same_but_for_filtering(exact, tiles.image, "interleaved");
   EXPECT_EQ(1, tiles.statistics["tilted_cards"]);
   EXPECT_GT(tiles.statistics["tilted_fragments"], 500);
   // The control: an order of whole cards does not manage it.
