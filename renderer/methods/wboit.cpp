@@ -5,6 +5,7 @@
 //
 // Particles may be drawn at half or quarter resolution beside surfaces at full: sums add and revealages
 // multiply, so the composite needs no order between the two, whichever is in front (the authors' 2013 post).
+// At edges of opaque things they reach over by half a low-resolution texel at most.
 // What the picture's depth of field and haze want is written with the same weights (the post fills the depth
 // buffer from the composited surfaces and does not say how).
 //
