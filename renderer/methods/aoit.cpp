@@ -1,6 +1,6 @@
 // Adaptive transparency that merges the furthest ("AOIT"). Salvi, Montgomery and Lefohn, "Adaptive
-// Transparency", HPG 2011, section 3, streams fragments into a step function of visibility with a fixed
-// number of nodes and then draws them once more, each weighed by it:
+// Transparency", HPG 2011, streams fragments into a step function of visibility with a fixed number of nodes
+// and then draws them once more, each weighed by it:
 //
 //   V(z) = prod_{z_i < z} t_i,   image = sum_i L_i V(z_i) + background V(infinity).
 //
@@ -16,7 +16,8 @@
 // needs more than 255 steps, and nothing is divided by a product that may be zero.
 //
 // Limits: behind the nearest k - 1 everything is dimmed by everything, itself included: far layers are too
-// dark, and black behind an opaque one's depth even where they lie in front of it. Nothing renormalises.
+// dark, and black where one of them is opaque; where a layer falls behind them its outline shows. Nothing
+// renormalises.
 #include "renderer/methods/methods.h"
 #include "renderer/methods/pixel_nodes.h"
 #include "renderer/probe.h"
@@ -31,7 +32,7 @@ class Aoit final : public Method {
   std::string_view id() const override { return "aoit"; }
   Traits traits() const override {
     return {.title = "Adaptive transparency, furthest merged",
-            .source = "Salvi et al., HPG 2011, section 3; Intel's AOIT sample, 2013 (merges the furthest)",
+            .source = "Salvi et al., HPG 2011; Intel's AOIT sample, 2013 (merges the furthest)",
             .transmission = "RGB",
             .emission = "weighed by the visibility at its depth; never a node",
             .limits = "behind the nearest k - 1 steps everything dims everything: far layers are too dark",

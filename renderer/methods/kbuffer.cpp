@@ -10,6 +10,8 @@
 // on the order of the draws.)
 //
 // Limits: beyond k fragments colours mix: of several near-opaque layers of the tail all are seen alike.
+// Fragments of next to no coverage take places too, so that the outline of a thin card can show as an edge in
+// what lies behind it.
 #include "renderer/methods/methods.h"
 #include "renderer/methods/pixel_nodes.h"
 #include "renderer/probe.h"
