@@ -7,7 +7,8 @@
 // The transmittance does not depend on the order in which fragments come: the nearest k - 1 stay apart and
 // the last node's product is that of all the rest. Its light does: what comes late is blended behind the
 // whole of what is merged, wherever it lies, and what comes early in front of it. So the draw's order is a
-// parameter. Drawn nearest first by their centres, only cards that cross each other can come late.
+// parameter. Sorted farthest first, two nodes are enough for cards that do not cross, and k nodes set right
+// what is out of place by fewer than k; sorted nearest first, what comes late stays behind the last node.
 //
 // The paper leaves open in which order fragments of equal depth lie (here: cards') and what a light without
 // coverage is (here: a layer like any other, of transmittance 1). It stores 8 bits a channel, here 32.

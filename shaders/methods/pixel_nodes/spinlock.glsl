@@ -1,7 +1,8 @@
 // Turns by a spin lock: a bit of the pixel's word is taken, the work is done, and the bit is given back with the count raised.
-// Lanes that run in lockstep may want the same pixel, and one that waits for another of its own group would wait forever: so the lock
-// is taken, used and given back within one round of the loop, and only then do those go round again that did not get it. Helper
-// invocations, which cover no sample, would never get it. The test stands at the loop's end: where lanes are masked, no idle round follows the last.
+// Lanes that run in lockstep may want the same pixel, and one that waits for another of its own group would wait forever: so the
+// lock is taken, used and given back within one round of the loop, and only then do those go round again that did not get it. Helper
+// invocations, which cover no sample, would never get it. The test stands at the loop's end: where lanes are masked, no idle round
+// follows the last.
 // Limit: who comes first is the device's choice. What depends on the order of turns differs from run to run.
 #ifndef PLUME_PIXEL_NODES_SPINLOCK_GLSL
 #define PLUME_PIXEL_NODES_SPINLOCK_GLSL
