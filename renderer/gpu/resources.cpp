@@ -109,6 +109,7 @@ uint32_t texel_bytes(vk::Format format) {
     case vk::Format::eR8G8B8A8Unorm:
     case vk::Format::eR8G8B8A8Srgb:
     case vk::Format::eB10G11R11UfloatPack32:
+    case vk::Format::eA2B10G10R10UnormPack32:
     case vk::Format::eR16G16Sfloat:
     case vk::Format::eR32Sfloat:
     case vk::Format::eR32Uint:

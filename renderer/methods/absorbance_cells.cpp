@@ -2,8 +2,8 @@
 
 #include <bit>
 
+#include "renderer/methods/farthest_depth.h"
 #include "shaders/methods/absorbance/counts.h"
-#include "shaders/methods/avboit/volume.h"
 
 namespace plume {
 namespace {
@@ -43,26 +43,11 @@ void AbsorbanceCells::add_needs(Needs& needs, glm::uvec2 size) const {
   needs.buffers.push_back({.name = "ranges", .bytes = (range == 0 ? count(size) : 1) * 8, .clear = 0});
   needs.buffers.push_back({.name = "counts", .bytes = sizeof(shared::AbsorbanceCounts), .clear = 0});
   if (resolution == 0) return;
-  needs.images.push_back({.name = "farthest",
-                          .format = vk::Format::eR32Sfloat,
-                          .usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled,
-                          .divisor = divisor()});
-  needs.buffers.push_back({.name = "volume", .bytes = sizeof(shared::Volume), .clear = {}});
+  farthest_depth::add_needs(needs, divisor());
 }
 
 void AbsorbanceCells::record_ranges(const Picture& picture) const {
-  if (resolution != 0)
-    picture.frame.pass("farthest", [&](gpu::Pass& pass) {
-      const gpu::Buffer& volume = picture.resources.buffer("volume");
-      const glm::uvec2 size = cells(picture.size);
-      pass.update(volume, shared::Volume{.cells = size, .divisor = divisor()});
-      pass.barrier();
-      pass.dispatch(pass.pipelines().compute("methods/avboit/farthest.comp"),
-                    {{"VolumeBlock", &volume},
-                     {"opaque_depth", &picture.opaque_depth},
-                     {"farthest", &picture.resources.image("farthest")}},
-                    0u, {gpu::groups(size.x, 8), gpu::groups(size.y, 8), 1});
-    });
+  if (resolution != 0) farthest_depth::record(picture, divisor());
   if (range == 0)
     picture.frame.pass(
         "range", [&](gpu::Pass& pass) { draw(pass, picture, "methods/absorbance/range.frag", {}, {}); });

@@ -101,8 +101,8 @@ struct Traits {
   /// RMSE against the reference, linear light, that its default parameters stay below on the shipped scene
   /// street at its default tick, 320x180. Held by a test.
   double street_rmse = 0.0;
-  /// What storing a fragment rounds away of its light or transmittance at most, relative, when its formats
-  /// are coarser than half floats.
+  /// What rounding takes of a fragment's light or transmittance at most, relative, where it is more than half
+  /// floats': by formats, or by texture filters that step.
   double rounding = 0.0;
 };
 

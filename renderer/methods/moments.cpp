@@ -11,6 +11,7 @@
 #include <bit>
 #include <iterator>
 
+#include "renderer/methods/farthest_depth.h"
 #include "renderer/methods/methods.h"
 #include "renderer/methods/weighted.h"
 #include "renderer/probe.h"
@@ -93,11 +94,7 @@ class Moments final : public Method {
       if (nodes() == 3) add(kHigh[c], kTwo);
       if (nodes() == 4) add(kHigh[c], kFour);
     }
-    if (divisor() > 1)
-      needs.images.push_back({.name = "farthest",
-                              .format = vk::Format::eR32Sfloat,
-                              .usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled,
-                              .divisor = divisor()});
+    if (divisor() > 1) farthest_depth::add_needs(needs, divisor());
     needs.buffers.push_back({.name = "bounds", .bytes = sizeof(shared::DepthBounds), .clear = 0});
     needs.buffers.push_back({.name = "warp", .bytes = sizeof(shared::DepthWarp), .clear = {}});
     weighted(transparents).add_needs(needs);
@@ -108,7 +105,7 @@ class Moments final : public Method {
 
   void record(const Picture& picture) override {
     record_depth_warp(picture);
-    if (divisor() > 1) record_farthest(picture);
+    if (divisor() > 1) farthest_depth::record(picture, divisor());
     record_moments(picture);
     const Weighted sums = weighted(picture.transparents);
     picture.frame.pass("draw", [&](gpu::Pass& pass) {
@@ -186,16 +183,6 @@ class Moments final : public Method {
   }
 
   glm::uvec2 cells(const Picture& picture) const { return (picture.size + divisor() - 1u) / divisor(); }
-
-  void record_farthest(const Picture& picture) const {
-    const glm::uvec2 size = cells(picture);
-    picture.frame.pass("farthest", [&](gpu::Pass& pass) {
-      pass.dispatch(
-          pass.pipelines().compute("surface/farthest.comp"),
-          {{"opaque_depth", &picture.opaque_depth}, {"farthest", &picture.resources.image("farthest")}},
-          glm::uvec3(size, divisor()), {gpu::groups(size.x, 8), gpu::groups(size.y, 8), 1});
-    });
-  }
 
   void record_moments(const Picture& picture) const {
     const Resources& resources = picture.resources;

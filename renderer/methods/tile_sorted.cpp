@@ -69,7 +69,8 @@ class TileSorted final : public Method {
         .limits =
             "tilted cards take the road of linked lists; no haze or surface outputs; texture filters round "
             "otherwise than in a draw",
-        .exact = true};
+        .exact = true,
+        .rounding = 4e-3};
   }
   void visit(ParameterVisitor& visitor) override {
     visitor.choice("tile", tile_, kTileNames,

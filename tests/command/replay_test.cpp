@@ -66,8 +66,10 @@ TEST_F(ReplayTest, TellsSettingsOfOneMethodApart) {
             0);
   const json all = results();
   ASSERT_EQ(all["frames"].size(), 2u);
-  EXPECT_EQ(all["frames"][0]["settings"], json::parse(R"({"weight": "eq7", "depth_scale": 1.0})"));
-  EXPECT_EQ(all["frames"][1]["settings"], json::parse(R"({"weight": "eq10", "depth_scale": 0.5})"));
+  EXPECT_EQ(all["frames"][0]["settings"]["weight"], "eq7");
+  EXPECT_EQ(all["frames"][0]["settings"]["depth_scale"], 1.0);
+  EXPECT_EQ(all["frames"][1]["settings"]["weight"], "eq10");
+  EXPECT_EQ(all["frames"][1]["settings"]["depth_scale"], 0.5);
   EXPECT_EQ(all["frames"][0]["image"], "street_000060_wboit-weight-eq7.png");
   EXPECT_EQ(all["frames"][1]["image"], "street_000060_wboit-depth_scale-0.5-weight-eq10.png");
   const auto drawn = pictures();

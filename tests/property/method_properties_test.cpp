@@ -156,7 +156,7 @@ TEST_P(MethodProperties, TheErrorOnTheStreetStaysBelowTheStatedBound) {
   const Image drawn = draw(stage, tick, {320, 180}, GetParam()).linear;
   const Traits traits = make_method(GetParam())->traits();
   if (traits.exact)
-    EXPECT_LT(max_abs(exact, drawn).value, 1e-3 * brightest(exact));
+    EXPECT_LT(max_abs(exact, drawn).value, (1e-3 + traits.rounding) * brightest(exact));
   else
     EXPECT_LT(rmse(exact, drawn), traits.street_rmse);
 }

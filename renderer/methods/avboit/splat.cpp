@@ -1,4 +1,5 @@
 #include "renderer/methods/avboit/plan.h"
+#include "renderer/methods/farthest_depth.h"
 #include "shaders/methods/avboit/overlap.h"
 
 namespace plume::avboit {
@@ -20,10 +21,7 @@ uint32_t overflow_handling(Splat splat) {
 
 void add_splat_needs(Needs& needs, const Plan& plan) {
   const uint64_t rays = plan.rays();
-  needs.images.push_back({.name = "farthest",
-                          .format = vk::Format::eR32Sfloat,
-                          .usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled,
-                          .divisor = plan.volume.divisor});
+  farthest_depth::add_needs(needs, plan.volume.divisor);
   needs.buffers.push_back({.name = "extinction",
                            .bytes = rays * plan.volume.slices * plan.settings.lane_bits() / 8,
                            .clear = {}});
@@ -54,11 +52,7 @@ void record_splat(const Picture& picture, const Plan& plan) {
   const gpu::Image& farthest = picture.resources.image("farthest");
   const gpu::Binding volume{"VolumeBlock", buffer("volume")}, warp{"WarpTable", buffer("warp")};
 
-  picture.frame.pass("farthest", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("surface/farthest.comp"),
-                  {{"opaque_depth", &picture.opaque_depth}, {"farthest", &farthest}},
-                  glm::uvec3(v.cells, v.divisor), {gpu::groups(v.cells.x, 8), gpu::groups(v.cells.y, 8), 1});
-  });
+  farthest_depth::record(picture, v.divisor);
 
   const gpu::Constants common{plan.settings.linear_splat ? 1u : 0u, plan.settings.samples == 0 ? 1u : 4u,
                               plan.settings.dither ? 1u : 0u};
