@@ -149,6 +149,27 @@ TEST_F(AvboitExactLayers, OfOneDepthHideEachOtherAsInTheReference) {
       ASSERT_NEAR(exact.linear.pixels[i][c], drawn.linear.pixels[i][c], 3e-3) << "pixel " << i;
 }
 
+TEST_F(AvboitExactLayers, BeyondTheLastOpaqueCardsMixAndDoNotDarken) {
+  clear_cards();
+  const auto add_sharp = [&](float z, float optical_depth, glm::vec3 color) {
+    SmallCard card;
+    card.z = z;
+    card.optical_depth = optical_depth;
+    card.color = color;
+    card.layer = shared::kSolidLayer;
+    add(card);
+  };
+  for (int i = 0; i < 6; ++i) add_sharp(2 + 0.2f * float(i), 0.06f, glm::vec3(0.0f));
+  for (int c = 0; c < 3; ++c) {
+    glm::vec3 color(0.0f);
+    color[c] = 0.9f;
+    add_sharp(4 + float(c), 8.0f, color);
+  }
+  const glm::vec3 drawn = draw_cards("avboit", {{"exact_layers", "4"}}).linear.pixels[100];
+  // Four thin panes are kept in front; the other two hardly count in a mixture of equals by optical depth.
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c], 0.9 * std::exp(-0.24) / 3, 0.005) << c;
+}
+
 TEST_F(AvboitExactLayers, AreTheSameBitsInEveryOrderOfDraws) {
   for (settings.exact_layers = 1; settings.exact_layers <= 3; ++settings.exact_layers) {
     clear_cards();

@@ -39,7 +39,7 @@ void main() {
   vec3 t = transmittance_at(pixel, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
   const float known = kExact != 0u ? dot(t, vec3(1.0 / 3.0)) : 0.0;
   if (kBehindLayers != 0u) {
-    const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, f.id, kExact != 0u ? -log(max(gray, kLeastTransmittance)) : 0.0);
+    const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, f.id, kExact != 0u ? tail_depth(pack_layer(transmittance(f))) : 0.0);
     t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
   }
   const float inside = kExact != 0u ? 1.0 - gray : 1.0;   // what shines as it covers is scaled as the coverage is

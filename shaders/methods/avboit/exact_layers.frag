@@ -14,8 +14,8 @@ layout(constant_id = 0) const uint kLayers = 4u;
 layout(scalar, binding = 12) buffer Layers { uint64_t layers[]; };   // [layer][pixel]
 layout(scalar, binding = 13) buffer LayerTail { uint tail[]; };      // [pixel], kTailSteps a unit; then how many fragments in all
 
-void merge_into_tail(uint pixel, uint pixels, vec3 through) {
-  atomicAdd(tail[pixel], uint(-log(max(dot(through, vec3(1.0 / 3.0)), kLeastTransmittance)) * kTailSteps + 0.5));
+void merge_into_tail(uint pixel, uint pixels, uint packed) {
+  atomicAdd(tail[pixel], uint(tail_depth(packed) * kTailSteps + 0.5));
   atomicAdd(tail[pixels], 1u);
 }
 
@@ -30,5 +30,5 @@ void main() {
     key = max(old, key);
     if (key == 0xfffffffffffffffful) return;
   }
-  merge_into_tail(pixel, pixels, unpack_layer(uint(key)));
+  merge_into_tail(pixel, pixels, uint(key));
 }

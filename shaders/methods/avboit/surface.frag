@@ -16,7 +16,7 @@ void main() {
   const vec3 own = -log(max(passed, vec3(kLeastTransmittance)));
   const bool sharp = is_sharp(cards[f.id], view, volume);
   const vec3 t = transmittance_at(gl_FragCoord.xy, slice_at(f.depth), sharp ? vec3(0.0) : own) *
-                 layers_in_front(uvec2(gl_FragCoord.xy), f.depth, f.id, sharp ? -log(max(1.0 - gray_coverage(f), kLeastTransmittance)) : 0.0);
+                 layers_in_front(uvec2(gl_FragCoord.xy), f.depth, f.id, sharp ? tail_depth(pack_layer(transmittance(f))) : 0.0);
   const float part = presence(f) * dot(t, vec3(1.0 / 3.0));
   surface = surface_sample(part, f.depth, screen_motion(view, cards[f.id], gl_FragCoord.xy, f.depth));
 }

@@ -48,7 +48,11 @@ vec3 value_at(vec2 uv, float place) {
   return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
 }
 
-// What the exact layers in front of a fragment of card `id` leave; `own` is its optical depth as it may be in the tail.
+// What a fragment of optical depth `own` is seen through in a tail of which it is a part: all of the tail counts as mixed in one
+// place, where each covers in proportion to its optical depth, and together 1 - exp(-tail).
+float seen_in_tail(float whole, float own) { return (1.0 - exp(-whole)) * own / (max(whole, own) * (1.0 - exp(-own))); }
+
+// What the exact layers in front of a fragment of card `id` leave; `own` is its optical depth as it may be in the tail, or 0.
 vec3 layers_in_front(uvec2 pixel, float depth, uint id, float own) {
   vec3 t = vec3(1.0);
   const uint plane = view.size.x * view.size.y, first = pixel.y * view.size.x + pixel.x;
@@ -58,7 +62,9 @@ vec3 layers_in_front(uvec2 pixel, float depth, uint id, float own) {
     if (!layer_in_front(layer.y, depth, id)) break;
     t *= unpack_layer(layer.x);
   }
-  return k > 0u && k == volume.exact_layers ? t * exp(-max(float(tail[first]) / kTailSteps - own, 0.0)) : t;
+  if (k == 0u || k < volume.exact_layers) return t;
+  const float whole = float(tail[first]) / kTailSteps;
+  return t * (own > 0.0 && whole > 0.0 ? seen_in_tail(whole, own) : exp(-whole));
 }
 
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
