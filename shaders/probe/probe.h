@@ -1,4 +1,5 @@
-// What a probe asks: transmittance at one pixel, in front of each of `count` depths that follow in the buffer.
+// What a probe asks: transmittance at one pixel, in front of each of `count` depths that follow in the
+// buffer.
 #ifndef PLUME_PROBE_H
 #define PLUME_PROBE_H
 

@@ -8,7 +8,7 @@ PLUME_SHARED_BEGIN
 
 // Addresses of arrays [node][pixel], which outgrow the range of a descriptor.
 struct NodeArrays {
-  uvec2 keys;     // of uvec2: card, then bits of the view depth in m. As one 64-bit number: order along the ray
+  uvec2 keys;  // of uvec2: card, then bits of the view depth in m. As one 64-bit number: order along the ray
   uvec2 through;  // of vec3: transmittance
   uvec2 light;    // of vec3: premultiplied colour + emission, where the method keeps it
 };
