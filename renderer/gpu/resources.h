@@ -5,6 +5,7 @@
 #ifndef PLUME_GPU_RESOURCES_H
 #define PLUME_GPU_RESOURCES_H
 
+#include <glm/glm.hpp>
 #include <span>
 #include <string>
 
@@ -27,6 +28,8 @@ class Buffer {
   vk::Buffer vk() const { return *buffer_; }
   vk::DeviceSize bytes() const { return bytes_; }
   vk::DeviceAddress address() const { return address_; }
+  /// As shaders take it where no 64-bit integers are: low word, high word.
+  glm::uvec2 address_words() const { return {uint32_t(address_), uint32_t(address_ >> 32)}; }
   /// Host-visible buffers only.
   template <class T>
   std::span<T> mapped() const {

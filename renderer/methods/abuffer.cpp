@@ -32,10 +32,6 @@ namespace {
 constexpr std::string_view kKeeps[] = {"nearest", "first"};
 constexpr std::string_view kDepths[] = {"16", "24"};
 
-glm::uvec2 address_of(const gpu::Buffer& buffer) {
-  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
-}
-
 class Abuffer final : public Method {
  public:
   std::string_view id() const override { return "abuffer"; }
@@ -100,8 +96,8 @@ class Abuffer final : public Method {
     };
     picture.frame.pass("insert", [&](gpu::Pass& pass) {
       const shared::BoundedLayers empty{
-          .keys = address_of(resources.buffer("keys")),
-          .payloads = rgb_ ? address_of(resources.buffer("payloads")) : glm::uvec2(0),
+          .keys = resources.buffer("keys").address_words(),
+          .payloads = rgb_ ? resources.buffer("payloads").address_words() : glm::uvec2(0),
           .overflowed_fragments = 0,
           .overflowed_pixels = 0};
       pass.update(resources.buffer("bounded"), empty);

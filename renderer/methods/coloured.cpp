@@ -8,10 +8,9 @@
 //
 // Limits: only the background is tinted; a layer behind glass keeps its colour, and normalising one average
 // of all channels dims coloured highlights. The weight is a guess, as in wboit.cpp.
-#include <bit>
-
 #include "renderer/methods/methods.h"
 #include "renderer/methods/weighted.h"
+#include "renderer/methods/window_weight.h"
 #include "renderer/probe.h"
 
 namespace plume {
@@ -33,14 +32,7 @@ class Coloured final : public Method {
   }
 
   void visit(ParameterVisitor& visitor) override {
-    visitor.toggle("far_scene", far_scene_,
-                   "divides the weight by depth^1.5, for scenes whose window depths are all near one");
-    visitor.number("near_scale", near_scale_,
-                   {.min = 0.01,
-                    .max = 1000.0,
-                    .unit = "",
-                    .help = "of the near plane that the weight's window depth is made with: tunes the weight "
-                            "to the scene"});
+    weight_.visit(visitor);
     visitor.choice("sums", sums_, kSums, "floats of the weighted sums and of the modulation");
     visitor.choice("revealage", revealage_, kRevealages,
                    "of what the weighted average leaves free: the post has 8 bits, too coarse for smoke");
@@ -61,16 +53,16 @@ class Coloured final : public Method {
                                        .depth_test = &picture.opaque_depth,
                                        .opaque_depth = &picture.opaque_depth,
                                        .area = picture.area(),
-                                       .constants = constants(),
+                                       .constants = weight_.constants(),
                                        .bindings = {},
                                        .count_fragments = true});
     });
     blend.record_resolve(picture);
-    blend.record_outputs(picture, "methods/coloured", constants());
+    blend.record_outputs(picture, "methods/coloured", weight_.constants());
   }
 
   void probe(const Picture& picture, const Probe& probe) const override {
-    probe_with(picture, probe, "methods/coloured/probe.comp", constants(), weighted().sums(picture));
+    probe_with(picture, probe, "methods/coloured/probe.comp", weight_.constants(), weighted().sums(picture));
   }
 
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
@@ -83,10 +75,8 @@ class Coloured final : public Method {
             .revealage = Weighted::Revealage(int(Weighted::Revealage::kUnorm8) + revealage_),
             .modulates = true};
   }
-  gpu::Constants constants() const { return {far_scene_ ? 1u : 0u, std::bit_cast<uint32_t>(near_scale_)}; }
 
-  bool far_scene_ = false;
-  float near_scale_ = 1.0f;
+  WindowWeight weight_;
   int sums_ = 0, revealage_ = 1;
 };
 

@@ -3,14 +3,6 @@
 #include <cstddef>
 
 namespace plume::fragment_list {
-namespace {
-
-glm::uvec2 address_of(const gpu::Buffer& buffer) {
-  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
-}
-
-}  // namespace
-
 void add_needs(Needs& needs, glm::uvec2 size, uint32_t capacity) {
   needs.buffers.push_back(
       {.name = "heads", .bytes = uint64_t(size.x) * size.y * 4, .clear = shared::kListEnd});
@@ -23,8 +15,8 @@ void reset(gpu::Pass& pass, const Resources& resources, uint32_t capacity, const
   pass.update(resources.buffer("pool"),
               shared::FragmentPool{.count = 0,
                                    .capacity = capacity,
-                                   .address = address_of(resources.buffer("nodes")),
-                                   .extras = extras ? address_of(*extras) : glm::uvec2(0)});
+                                   .address = resources.buffer("nodes").address_words(),
+                                   .extras = extras ? extras->address_words() : glm::uvec2(0)});
 }
 
 gpu::Bindings bindings(const Resources& resources) {

@@ -68,13 +68,9 @@ class KBuffer final : public Method {
     const Resources& resources = picture.resources;
     const auto draw = [&](gpu::Pass& pass, const std::string& fragment,
                           std::vector<gpu::Attachment> targets) {
-      picture.transparents.draw(pass, {.fragment = fragment,
-                                       .targets = std::move(targets),
-                                       .depth_test = &picture.opaque_depth,
-                                       .opaque_depth = &picture.opaque_depth,
-                                       .area = picture.area(),
-                                       .constants = {uint32_t(nodes_)},
-                                       .bindings = pixel_nodes::bindings(resources)});
+      pixel_nodes::draw(
+          pass, picture, uint32_t(nodes_),
+          {.fragment = fragment, .targets = std::move(targets), .constants = {}, .bindings = {}});
     };
     if (lock_ == kAtomic64)
       picture.frame.pass("nearest", [&](gpu::Pass& pass) {

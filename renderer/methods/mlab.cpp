@@ -81,15 +81,13 @@ class Mlab final : public Method {
         pass.update(resources.buffer("order"), std::span<const uint32_t>(as_they_are));
       }
       pass.barrier();
-      picture.transparents.draw(pass, {.fragment = pixel_nodes::insert_shader("methods/mlab", lock()),
-                                       .targets = {},
-                                       .depth_test = &picture.opaque_depth,
-                                       .opaque_depth = &picture.opaque_depth,
-                                       .area = picture.area(),
-                                       .constants = {uint32_t(nodes_)},
-                                       .bindings = pixel_nodes::bindings(resources),
-                                       .order = order_ == kSubmission ? nullptr : &resources.buffer("order"),
-                                       .backwards = order_ == kBackToFront});
+      pixel_nodes::draw(pass, picture, uint32_t(nodes_),
+                        {.fragment = pixel_nodes::insert_shader("methods/mlab", lock()),
+                         .targets = {},
+                         .constants = {},
+                         .bindings = {},
+                         .order = order_ == kSubmission ? nullptr : &resources.buffer("order"),
+                         .backwards = order_ == kBackToFront});
     });
     picture.frame.pass("resolve", [&](gpu::Pass& pass) {
       gpu::Bindings bindings = pixel_nodes::bindings(resources);

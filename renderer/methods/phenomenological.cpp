@@ -16,6 +16,7 @@
 #include <bit>
 
 #include "renderer/methods/methods.h"
+#include "renderer/methods/window_weight.h"
 #include "renderer/probe.h"
 
 namespace plume {
@@ -37,14 +38,7 @@ class Phenomenological final : public Method {
   }
 
   void visit(ParameterVisitor& visitor) override {
-    visitor.toggle("far_scene", far_scene_,
-                   "divides the weight by depth^1.5, for scenes whose window depths are all near one");
-    visitor.number("near_scale", near_scale_,
-                   {.min = 0.01,
-                    .max = 1000.0,
-                    .unit = "",
-                    .help = "of the near plane that the weight's window depth is made with: tunes the weight "
-                            "to the scene"});
+    weight_.visit(visitor);
     visitor.toggle("self_modulation", self_modulation_,
                    "tints what is drawn by half of the modulation's hue, as if seen through itself");
     visitor.toggle("refraction", refraction_, "haze bends the background, at a draw more");
@@ -146,12 +140,14 @@ class Phenomenological final : public Method {
 
  private:
   gpu::Constants constants() const {
-    return {far_scene_ ? 1u : 0u, std::bit_cast<uint32_t>(near_scale_), std::bit_cast<uint32_t>(reach_),
-            std::bit_cast<uint32_t>(focus_)};
+    gpu::Constants all = weight_.constants();
+    all.insert(all.end(), {std::bit_cast<uint32_t>(reach_), std::bit_cast<uint32_t>(focus_)});
+    return all;
   }
 
-  bool far_scene_ = false, self_modulation_ = true, refraction_ = true;
-  float near_scale_ = 1.0f, reach_ = 2.5f, focus_ = 0.1f;
+  WindowWeight weight_;
+  bool self_modulation_ = true, refraction_ = true;
+  float reach_ = 2.5f, focus_ = 0.1f;
   int blur_radius_ = 32, sums_ = 0, modulation_ = 1;
 };
 

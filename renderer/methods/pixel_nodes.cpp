@@ -1,14 +1,6 @@
 #include "renderer/methods/pixel_nodes.h"
 
 namespace plume::pixel_nodes {
-namespace {
-
-glm::uvec2 address_of(const gpu::Buffer& buffer) {
-  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
-}
-
-}  // namespace
-
 std::vector<std::string> missing(const gpu::Device& device, Lock lock) {
   if (lock != Lock::kInterlock || device.has_fragment_interlock()) return {};
   return {"fragmentShaderPixelInterlock, or lock=spinlock"};
@@ -33,15 +25,23 @@ void add_needs(Needs& needs, glm::uvec2 size, uint32_t nodes, const Kind& kind) 
 void reset(gpu::Pass& pass, const Resources& resources, const Kind& kind) {
   pass.update(
       resources.buffer("arrays"),
-      shared::NodeArrays{.keys = address_of(resources.buffer("keys")),
-                         .through = address_of(resources.buffer("through")),
-                         .light = kind.light ? address_of(resources.buffer("light")) : glm::uvec2(0)});
+      shared::NodeArrays{.keys = resources.buffer("keys").address_words(),
+                         .through = resources.buffer("through").address_words(),
+                         .light = kind.light ? resources.buffer("light").address_words() : glm::uvec2(0)});
 }
 
 gpu::Bindings bindings(const Resources& resources) {
   return {{"Turns", &resources.buffer("turns")},
           {"Arrays", &resources.buffer("arrays")},
           {"Overflow", &resources.buffer("overflow")}};
+}
+
+void draw(gpu::Pass& pass, const Picture& picture, uint32_t nodes, Transparents::Style style) {
+  style.depth_test = style.opaque_depth = &picture.opaque_depth;
+  style.area = picture.area();
+  style.constants = {nodes};
+  style.bindings = bindings(picture.resources);
+  picture.transparents.draw(pass, style);
 }
 
 shared::NodeOverflow overflow(gpu::Device& device, const Resources& resources) {

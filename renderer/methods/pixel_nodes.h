@@ -27,6 +27,8 @@ void add_needs(Needs& needs, glm::uvec2 size, uint32_t nodes, const Kind& kind);
 void reset(gpu::Pass& pass, const Resources& resources, const Kind& kind);
 /// What the shader files bind.
 gpu::Bindings bindings(const Resources& resources);
+/// Draws all cards at the picture's resolution with `style`'s shader and targets, which may use the nodes.
+void draw(gpu::Pass& pass, const Picture& picture, uint32_t nodes, Transparents::Style style);
 /// What did not get a node of its own in the last frame. Waits for the device.
 shared::NodeOverflow overflow(gpu::Device& device, const Resources& resources);
 

@@ -47,10 +47,6 @@ struct Grid : TileGrid {
   uint64_t mask_bytes() const { return uint64_t(number()) * words * 4; }
 };
 
-glm::uvec2 address_of(const gpu::Buffer& buffer) {
-  return {uint32_t(buffer.address()), uint32_t(buffer.address() >> 32)};
-}
-
 /// Work groups of 64 in two dimensions, for more of them than one may have.
 std::array<uint32_t, 3> many_groups(uint64_t threads) {
   const uint32_t all = gpu::groups(threads, 64), across = std::min(all, 32768u);
@@ -128,7 +124,7 @@ class TileSorted final : public Method {
                                                 .tilted = 0,
                                                 .entries = 0,
                                                 .capacity = capacity_,
-                                                .address = address_of(*buffer("entries")),
+                                                .address = buffer("entries")->address_words(),
                                                 .stopped_pixels = 0});
       pass.update(*buffer("tilted_draw"),
                   shared::DrawCommand{.vertices = 4, .instances = 0, .first_vertex = 0, .first_instance = 0});

@@ -63,8 +63,7 @@ class Wavelets final : public Method {
     const Resources& resources = picture.resources;
     cells_.record_ranges(picture);
     picture.frame.pass("splat", [&](gpu::Pass& pass) {
-      const uint64_t address = resources.buffer("coefficients").address();
-      pass.update(resources.buffer("address"), glm::uvec2(uint32_t(address), uint32_t(address >> 32)));
+      pass.update(resources.buffer("address"), resources.buffer("coefficients").address_words());
       pass.barrier();
       const auto splat = [&](bool into_rgb, std::optional<Source> source) {
         cells_.draw(pass, picture, "methods/wavelets/splat.frag", own_constants(into_rgb),
