@@ -22,7 +22,7 @@
 // Limits: more layers than are kept turn into an average; 8 bits of transmittance lose thin smoke, and panes
 // closer than a half float's step (4 mm at 4 m to 8 m) may swap.
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 #include "shaders/methods/abuffer/bounded.h"
 

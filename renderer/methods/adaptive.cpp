@@ -15,8 +15,8 @@
 //
 // Limits: a removed step moves towards the camera, over what lies between: with few nodes and many
 // near-opaque layers, fragments hide themselves.
-#include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
+#include "renderer/methods/parts/fragment_list.h"
 #include "renderer/probe.h"
 
 namespace plume {

@@ -19,7 +19,7 @@
 // dark, and black where one of them is opaque; where a layer falls behind them its outline shows. Nothing
 // renormalises.
 #include "renderer/methods/methods.h"
-#include "renderer/methods/pixel_nodes.h"
+#include "renderer/methods/parts/pixel_nodes.h"
 #include "renderer/probe.h"
 
 namespace plume {

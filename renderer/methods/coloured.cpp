@@ -9,8 +9,8 @@
 // Limits: only the background is tinted; a layer behind glass keeps its colour, and normalising one average
 // of all channels dims coloured highlights. The weight is a guess, as in wboit.cpp.
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
-#include "renderer/methods/window_weight.h"
+#include "renderer/methods/parts/weighted.h"
+#include "renderer/methods/parts/window_weight.h"
 #include "renderer/probe.h"
 
 namespace plume {

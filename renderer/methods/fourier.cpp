@@ -5,9 +5,9 @@
 //
 // Limits: a few terms ring around whatever is thick, so that things are shaded by what lies behind them and
 // shine through what lies in front.
-#include "renderer/methods/absorbance_cells.h"
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/absorbance_cells.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 
 namespace plume {

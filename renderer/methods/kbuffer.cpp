@@ -13,7 +13,7 @@
 // Fragments of next to no coverage take places too, so that the outline of a thin card can show as an edge in
 // what lies behind it.
 #include "renderer/methods/methods.h"
-#include "renderer/methods/pixel_nodes.h"
+#include "renderer/methods/parts/pixel_nodes.h"
 #include "renderer/probe.h"
 
 namespace plume {

@@ -11,9 +11,9 @@
 // in the whole picture: what comes last falls behind everything, even where it is nearest, and a device that
 // draws in tiles leaves whole tiles without a place. Hybrid transparency keeps the nearest instead. A node
 // takes 36 bytes, so that nothing is rounded.
-#include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/fragment_list.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 
 namespace plume {
@@ -69,7 +69,7 @@ class LinkedList final : public Method {
 
   /// What was kept in front. A depth behind all of it may lie in the tail, which has no depth.
   void probe(const Picture& picture, const Probe& probe) const override {
-    probe_with(picture, probe, "methods/fragment_list/probe.comp", {},
+    probe_with(picture, probe, "methods/parts/fragment_list/probe.comp", {},
                fragment_list::bindings(picture.resources));
   }
 

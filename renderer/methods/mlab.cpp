@@ -16,9 +16,9 @@
 // Limits: beyond k layers what lies in the last node is blended in the order of the draw.
 #include <numeric>
 
-#include "renderer/methods/card_sort.h"
 #include "renderer/methods/methods.h"
-#include "renderer/methods/pixel_nodes.h"
+#include "renderer/methods/parts/card_sort.h"
+#include "renderer/methods/parts/pixel_nodes.h"
 #include "renderer/probe.h"
 
 namespace plume {

@@ -11,9 +11,9 @@
 #include <bit>
 #include <iterator>
 
-#include "renderer/methods/farthest_depth.h"
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/farthest_depth.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 #include "shaders/methods/moments/depth_warp.h"
 

@@ -16,7 +16,7 @@
 #include <bit>
 
 #include "renderer/methods/methods.h"
-#include "renderer/methods/window_weight.h"
+#include "renderer/methods/parts/window_weight.h"
 #include "renderer/probe.h"
 
 namespace plume {

@@ -1,8 +1,8 @@
 // The exact reference: every fragment captured per pixel in a linked list (Yang et al., EGSR 2010), sorted by
 // (depth, card), composited in 32-bit float. It never truncates: a pool that is too small is grown and the
 // frame drawn again.
-#include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
+#include "renderer/methods/parts/fragment_list.h"
 #include "renderer/probe.h"
 
 namespace plume {
@@ -77,7 +77,7 @@ class Reference final : public Method {
   }
 
   void probe(const Picture& picture, const Probe& probe) const override {
-    probe_with(picture, probe, "methods/fragment_list/probe.comp", {},
+    probe_with(picture, probe, "methods/parts/fragment_list/probe.comp", {},
                fragment_list::bindings(picture.resources));
   }
 

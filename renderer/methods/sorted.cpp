@@ -7,8 +7,8 @@
 // in front by their centres, which is what the last of the orders draws; the others are no function of depth.
 #include <bit>
 
-#include "renderer/methods/card_sort.h"
 #include "renderer/methods/methods.h"
+#include "renderer/methods/parts/card_sort.h"
 #include "renderer/probe.h"
 #include "shaders/methods/sorted/groups.h"
 

@@ -15,7 +15,7 @@
 #include "shaders/methods/stochastic/stochastic.h"
 
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 
 namespace plume {

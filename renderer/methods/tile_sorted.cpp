@@ -14,8 +14,8 @@
 
 #include <cstddef>
 
-#include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
+#include "renderer/methods/parts/fragment_list.h"
 #include "renderer/probe.h"
 #include "renderer/radix_sort.h"
 #include "shaders/shared/draw_command.h"

@@ -9,9 +9,9 @@
 // Limits: what shares a leaf mixes, and how much changes with where in the leaf it lies. In a fixed range the
 // colours of near-opaque things swing as the camera moves. In a pixel's own they keep their places, until
 // something nearer or farther comes into it and stretches it.
-#include "renderer/methods/absorbance_cells.h"
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/absorbance_cells.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 
 namespace plume {

@@ -16,7 +16,7 @@
 #include <bit>
 
 #include "renderer/methods/methods.h"
-#include "renderer/methods/weighted.h"
+#include "renderer/methods/parts/weighted.h"
 #include "renderer/probe.h"
 
 namespace plume {

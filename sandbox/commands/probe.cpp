@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/methods/fragment_list.h"
 #include "renderer/methods/methods.h"
+#include "renderer/methods/parts/fragment_list.h"
 #include "sandbox/commands/command.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/stage.h"

@@ -1,7 +1,7 @@
 // The passes of the methods on the street: sort, splat and draw, in fragments per second, against a copy of
 // what blending moves.
 #include "renderer/radix_sort.h"
-#include "shaders/methods/fragment_list/fragment_list.h"
+#include "shaders/methods/parts/fragment_list/fragment_list.h"
 #include "tests/bench/gpu_bench.h"
 
 namespace plume {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "renderer/methods/method.h"
-#include "shaders/methods/fragment_list/fragment_list.h"
+#include "shaders/methods/parts/fragment_list/fragment_list.h"
 
 namespace plume {
 

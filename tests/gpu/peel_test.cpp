@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "sandbox/measure/metrics.h"
-#include "shaders/methods/fragment_list/fragment_list.h"
+#include "shaders/methods/parts/fragment_list/fragment_list.h"
 #include "shaders/shared/draw_command.h"
 #include "tests/gpu/avboit_scene.h"
 

@@ -1,5 +1,5 @@
 #include "renderer/methods/avboit/plan.h"
-#include "renderer/methods/farthest_depth.h"
+#include "renderer/methods/parts/farthest_depth.h"
 #include "shaders/methods/avboit/overlap.h"
 
 namespace plume::avboit {

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "methods/abuffer/nearest.glsl"
-#include "methods/weighted/weighted.glsl"
+#include "methods/parts/weighted/weighted.glsl"
 
 layout(early_fragment_tests) in;
 

@@ -6,7 +6,7 @@
 // the last node stay, so what the whole pixel lets through remains exact.
 #ifndef PLUME_ADAPTIVE_VISIBILITY_GLSL
 #define PLUME_ADAPTIVE_VISIBILITY_GLSL
-#include "methods/fragment_list/merge_sort.glsl"
+#include "methods/parts/fragment_list/merge_sort.glsl"
 
 layout(constant_id = 0) const uint kNodes = 8u;
 layout(constant_id = 1) const uint kRgb = 1u;   // a transmittance for each channel; else their mean

@@ -2,7 +2,7 @@
 // product of those up to it, so that the second pass finds the visibility by bisection.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNodes = 8u;

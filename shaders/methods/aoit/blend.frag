@@ -4,7 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
-#include "methods/pixel_nodes/seen.glsl"
+#include "methods/parts/pixel_nodes/seen.glsl"
 #include "methods/aoit/visibility.glsl"
 
 layout(scalar, binding = 8) readonly buffer Turns { uint turns[]; };

@@ -4,7 +4,7 @@
 // A node keeps its own step and not yet the product so far: nodes that lie in no order need no moving and no division.
 #ifndef PLUME_AOIT_INSERT_GLSL
 #define PLUME_AOIT_INSERT_GLSL
-#include "methods/pixel_nodes/farthest.glsl"
+#include "methods/parts/pixel_nodes/farthest.glsl"
 
 layout(constant_id = 0) const uint kNodes = 8u;
 

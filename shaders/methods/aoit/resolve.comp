@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/aoit/visibility.glsl"
-#include "methods/pixel_nodes/overflow.glsl"
+#include "methods/parts/pixel_nodes/overflow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar, binding = 8) readonly buffer Turns { uint turns[]; };

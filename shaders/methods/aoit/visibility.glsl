@@ -1,7 +1,7 @@
 // Reading the visibility function: nodes lie front to back, each with the transmittance behind it.
 #ifndef PLUME_AOIT_VISIBILITY_GLSL
 #define PLUME_AOIT_VISIBILITY_GLSL
-#include "methods/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
 
 layout(constant_id = 0) const uint kNodes = 8u;
 

@@ -7,7 +7,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "methods/coloured/weight.glsl"
-#include "methods/weighted/share.glsl"
+#include "methods/parts/weighted/share.glsl"
 
 layout(location = 0) out vec4 accum;        // rgb: sum C w   a: sum a' w
 layout(location = 1) out vec4 through;      // r: prod(1 - a')

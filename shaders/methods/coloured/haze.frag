@@ -5,7 +5,7 @@
 #include "surface/haze.glsl"
 #include "methods/coloured/sums.glsl"
 #include "methods/coloured/weight.glsl"
-#include "methods/weighted/seen.glsl"
+#include "methods/parts/weighted/seen.glsl"
 
 layout(location = 0) out vec4 distortion;
 

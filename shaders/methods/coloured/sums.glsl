@@ -4,6 +4,6 @@
 
 const uint kDivisor = 1u;
 
-#include "methods/weighted/sums.glsl"
+#include "methods/parts/weighted/sums.glsl"
 
 #endif

@@ -7,7 +7,7 @@
 layout(constant_id = 0) const uint kFarScene = 0u;
 layout(constant_id = 1) const float kNearScale = 1.0;
 
-#include "methods/weighted/window_depth.glsl"
+#include "methods/parts/weighted/window_depth.glsl"
 
 float weight(float depth, float alpha) {
   float term = (alpha * 8.0 + 0.01) * (1.0 - 0.95 * window_depth(depth, kNearScale));

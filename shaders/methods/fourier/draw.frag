@@ -1,9 +1,9 @@
 // Fourier opacity mapping, second pass over the fragments: each weighted by the transmittance in front of it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/absorbance/fragment.glsl"
+#include "methods/parts/absorbance/fragment.glsl"
 #include "methods/fourier/transmittance.glsl"
-#include "methods/weighted/weighted.glsl"
+#include "methods/parts/weighted/weighted.glsl"
 
 void main() {
   const Fragment f = shade();

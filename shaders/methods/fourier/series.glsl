@@ -6,7 +6,7 @@
 // The series repeats: places keep away from both ends, so that what comes last does not shade what comes first.
 #ifndef PLUME_FOURIER_SERIES_GLSL
 #define PLUME_FOURIER_SERIES_GLSL
-#include "methods/absorbance/cells.glsl"
+#include "methods/parts/absorbance/cells.glsl"
 
 layout(constant_id = 6) const uint kPairs = 3u;
 

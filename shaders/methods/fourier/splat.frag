@@ -1,7 +1,7 @@
 // Fourier opacity mapping, first pass over the fragments: their absorbance into the series of their cell, blended additively.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/absorbance/splat.glsl"
+#include "methods/parts/absorbance/splat.glsl"
 #include "methods/fourier/series.glsl"
 
 layout(location = 0) out vec4 series0;   // c, p_1, q_1, p_2

@@ -1,7 +1,7 @@
 // Fourier opacity mapping, the transmittance in front of a depth: read where fragments are drawn and where the probe asks.
 #ifndef PLUME_FOURIER_TRANSMITTANCE_GLSL
 #define PLUME_FOURIER_TRANSMITTANCE_GLSL
-#include "methods/absorbance/transmittance.glsl"
+#include "methods/parts/absorbance/transmittance.glsl"
 #include "methods/fourier/series.glsl"
 
 layout(binding = 10) uniform sampler2D series0;

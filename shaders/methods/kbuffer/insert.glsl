@@ -2,7 +2,7 @@
 // has no place goes to the tail, so that the nodes end as the k nearest whatever the order.
 #ifndef PLUME_KBUFFER_INSERT_GLSL
 #define PLUME_KBUFFER_INSERT_GLSL
-#include "methods/pixel_nodes/farthest.glsl"
+#include "methods/parts/pixel_nodes/farthest.glsl"
 #include "methods/kbuffer/tail_targets.glsl"
 
 layout(constant_id = 0) const uint kNodes = 8u;

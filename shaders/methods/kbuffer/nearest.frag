@@ -5,7 +5,7 @@
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #extension GL_EXT_shader_atomic_int64 : require
 #include "surface/shade.glsl"
-#include "methods/pixel_nodes/seen.glsl"
+#include "methods/parts/pixel_nodes/seen.glsl"
 #include "methods/kbuffer/ordered_keys.glsl"
 
 layout(constant_id = 0) const uint kNodes = 8u;

@@ -1,7 +1,7 @@
 // The nodes' keys as 64-bit numbers.
 #ifndef PLUME_KBUFFER_ORDERED_KEYS_GLSL
 #define PLUME_KBUFFER_ORDERED_KEYS_GLSL
-#include "methods/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer OrderedKeys { uint64_t at[]; };
 

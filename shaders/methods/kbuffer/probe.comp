@@ -8,7 +8,7 @@ layout(constant_id = 0) const uint kNodes = 8u;
 layout(binding = 11) uniform sampler2D tail_through;
 layout(binding = 12) uniform sampler2D tail_alpha;
 
-#include "methods/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
 #include "methods/kbuffer/tail.glsl"
 #include "probe/probe.glsl"
 

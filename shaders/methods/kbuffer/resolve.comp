@@ -2,8 +2,8 @@
 //   image = sum_{i<k} L_i prod_{j<i} t_j  +  prod_{i<k} t_i (tail + background prod_tail t).
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/pixel_nodes/nodes.glsl"
-#include "methods/pixel_nodes/overflow.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/overflow.glsl"
 #include "methods/kbuffer/tail.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "surface/shade.glsl"
-#include "methods/pixel_nodes/seen.glsl"
+#include "methods/parts/pixel_nodes/seen.glsl"
 #include "methods/kbuffer/ordered_keys.glsl"
 #include "methods/kbuffer/tail_targets.glsl"
 

@@ -6,8 +6,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
-#include "methods/fragment_list/append.glsl"
-#include "methods/weighted/weighted.glsl"
+#include "methods/parts/fragment_list/append.glsl"
+#include "methods/parts/weighted/weighted.glsl"
 
 void main() {
   const Fragment f = shade();

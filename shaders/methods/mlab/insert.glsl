@@ -2,7 +2,7 @@
 //   L = L_front + t_front L_behind,   t = t_front t_behind,   depth = that of the front one.
 #ifndef PLUME_MLAB_INSERT_GLSL
 #define PLUME_MLAB_INSERT_GLSL
-#include "methods/pixel_nodes/farthest.glsl"
+#include "methods/parts/pixel_nodes/farthest.glsl"
 
 layout(constant_id = 0) const uint kNodes = 8u;
 

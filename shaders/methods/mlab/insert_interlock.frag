@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_ARB_fragment_shader_interlock : require
 #include "surface/shade.glsl"
-#include "methods/pixel_nodes/interlock.glsl"
+#include "methods/parts/pixel_nodes/interlock.glsl"
 #include "methods/mlab/insert.glsl"
 
 layout(pixel_interlock_ordered) in;

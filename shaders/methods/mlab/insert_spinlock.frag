@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
-#include "methods/pixel_nodes/spinlock.glsl"
+#include "methods/parts/pixel_nodes/spinlock.glsl"
 #include "methods/mlab/insert.glsl"
 
 void main() {

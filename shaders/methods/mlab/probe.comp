@@ -8,7 +8,7 @@ layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(constant_id = 0) const uint kNodes = 8u;
 layout(scalar, binding = 8) readonly buffer Turns { uint turns[]; };
 
-#include "methods/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
 #include "probe/probe.glsl"
 
 vec3 probe_transmittance(uvec2 pixel, float depth) {

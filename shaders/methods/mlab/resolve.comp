@@ -1,8 +1,8 @@
 // Multi-layer alpha blending, composite: the nodes front to back,  image = sum_i L_i prod_{j<i} t_j + background prod_i t_i.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/pixel_nodes/nodes.glsl"
-#include "methods/pixel_nodes/overflow.glsl"
+#include "methods/parts/pixel_nodes/nodes.glsl"
+#include "methods/parts/pixel_nodes/overflow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kNodes = 8u;

@@ -7,7 +7,7 @@
 #include "methods/moments/transmittance.glsl"
 
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
-layout(binding = 16) uniform sampler2D through;   // of the draw: methods/weighted/weighted.glsl
+layout(binding = 16) uniform sampler2D through;   // of the draw: methods/parts/weighted/weighted.glsl
 layout(binding = 17) uniform sampler2D norm;      // `norm` where each channel has one, else `accum`
 layout(location = 0) out vec4 surface;
 

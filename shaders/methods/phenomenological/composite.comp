@@ -6,7 +6,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/view.h"
-#include "methods/weighted/overflow.glsl"
+#include "methods/parts/weighted/overflow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kSelfModulation = 1u;

@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "methods/phenomenological/weight.glsl"
-#include "methods/weighted/share.glsl"
+#include "methods/parts/weighted/share.glsl"
 
 layout(constant_id = 2) const float kReach = 2.5;   // k_0, m
 layout(constant_id = 3) const float kFocus = 0.1;   // k_1, m

@@ -4,8 +4,8 @@
 #include "surface/presence.glsl"
 #include "surface/motion.glsl"
 #include "methods/phenomenological/weight.glsl"
-#include "methods/weighted/seen.glsl"
-#include "methods/weighted/share.glsl"
+#include "methods/parts/weighted/seen.glsl"
+#include "methods/parts/weighted/share.glsl"
 
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
 layout(binding = 8) uniform sampler2D accum;

@@ -4,7 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/presence.glsl"
-#include "methods/fragment_list/append.glsl"
+#include "methods/parts/fragment_list/append.glsl"
 
 layout(constant_id = 0) const uint kExtras = 0u;   // outputs beyond the picture are wanted
 

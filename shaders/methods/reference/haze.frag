@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/haze.glsl"
-#include "methods/fragment_list/append.glsl"
+#include "methods/parts/fragment_list/append.glsl"
 
 void main() {
   const vec2 shift = haze_shift();

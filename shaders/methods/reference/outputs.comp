@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-#include "methods/fragment_list/fragment_list.h"
+#include "methods/parts/fragment_list/fragment_list.h"
 #include "surface/motion.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,7 +1,7 @@
 // Which squares of the walk have fragments of tilted cards: only those pay for joining them. A work group a square.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/fragment_list/fragment_list.h"
+#include "methods/parts/fragment_list/fragment_list.h"
 #include "methods/tile_sorted/tile_sorted.h"
 
 layout(local_size_x = 64) in;

@@ -1,7 +1,7 @@
 // The probe: the product of what the tile's list and the pixel's own list let pass in front.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "methods/fragment_list/sort.glsl"
+#include "methods/parts/fragment_list/sort.glsl"
 #include "methods/tile_sorted/tile.glsl"
 #include "probe/probe.glsl"
 

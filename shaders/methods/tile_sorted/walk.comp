@@ -11,7 +11,7 @@
 #extension GL_KHR_shader_subgroup_vote : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "methods/fragment_list/sort.glsl"
+#include "methods/parts/fragment_list/sort.glsl"
 #include "methods/tile_sorted/tile.glsl"
 
 layout(local_size_x = 64) in;   // for a square of kWalkSquare pixels, each way

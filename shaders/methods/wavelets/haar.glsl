@@ -12,7 +12,7 @@
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_EXT_shader_atomic_float : require
-#include "methods/absorbance/cells.glsl"
+#include "methods/parts/absorbance/cells.glsl"
 
 layout(constant_id = 6) const uint kRank = 3u;
 layout(constant_id = 7) const uint kUnfold = 1u;   // the transform is inverted before it is read

@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/shade.glsl"
 #include "methods/wboit/weight.glsl"
-#include "methods/weighted/weighted.glsl"
+#include "methods/parts/weighted/weighted.glsl"
 
 void main() {
   const Fragment f = shade();

@@ -4,7 +4,7 @@
 #include "surface/haze.glsl"
 #include "methods/wboit/weight.glsl"
 #include "methods/wboit/sums.glsl"
-#include "methods/weighted/seen.glsl"
+#include "methods/parts/weighted/seen.glsl"
 
 layout(location = 0) out vec4 distortion;
 

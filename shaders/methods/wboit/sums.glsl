@@ -4,6 +4,6 @@
 
 layout(constant_id = 2) const uint kDivisor = 1u;
 
-#include "methods/weighted/sums.glsl"
+#include "methods/parts/weighted/sums.glsl"
 
 #endif

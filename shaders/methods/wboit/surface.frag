@@ -5,8 +5,8 @@
 #include "surface/motion.glsl"
 #include "methods/wboit/weight.glsl"
 #include "methods/wboit/sums.glsl"
-#include "methods/weighted/seen.glsl"
-#include "methods/weighted/share.glsl"
+#include "methods/parts/weighted/seen.glsl"
+#include "methods/parts/weighted/share.glsl"
 
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
 layout(location = 0) out vec4 surface;

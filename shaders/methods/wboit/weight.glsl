@@ -6,7 +6,7 @@
 layout(constant_id = 0) const uint kWeight = 0;
 layout(constant_id = 1) const float kDepthScale = 1.0;   // paper's units per metre
 
-#include "methods/weighted/window_depth.glsl"
+#include "methods/parts/weighted/window_depth.glsl"
 
 float eq9_depth(float z) { return clamp(0.03 / (1e-5 + pow(z / 200.0, 4.0)), 1e-2, 3e3); }
 
