@@ -220,5 +220,25 @@ TEST_F(AvboitSampling, ThePictureIsTheSumOfWhatIsReadInFrontOfEachLayer) {
   }
 }
 
+TEST_F(AvboitSampling, TheProbeIsExactInEmptySpace) {
+  const auto told = [&](const std::vector<float>& depths, const char* sparse) {
+    const std::unique_ptr<World> w = world();
+    MethodInstance method = instance("avboit", {{"sparse", sparse}});
+    const Probe probe(device, size / 2u, depths);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    return probe.read_answer(device);
+  };
+  for (const char* sparse : {"true", "false"}) {
+    SCOPED_TRACE(sparse);
+    clear_cards();
+    for (const glm::vec3& t : told({0.5f, 10.0f}, sparse))
+      EXPECT_EQ(glm::vec3(1.0f), t) << "nothing is there";
+    for (int i = 0; i < 5; ++i) add({.z = 4.0f + float(i), .optical_depth = 0.4f});
+    const auto t = told({0.5f, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 9.0f, 500.0f}, sparse);
+    for (int i = 0; i < 8; ++i)
+      EXPECT_NEAR(std::exp(-0.4 * std::clamp(i - 1, 0, 5)), t[size_t(i)].r, 2e-3) << i;
+  }
+}
+
 }  // namespace
 }  // namespace plume

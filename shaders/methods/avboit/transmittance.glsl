@@ -42,7 +42,7 @@ vec3 value_at(vec2 uv, float place) {
   const float part = clamp(place - float(slice), 0.0, 1.0);
   const mat3x2 here = nodes_of(uv, slice);
   if (kSampling == 0u) return vec3(here[0].x, here[1].x, here[2].x);
-  if (kSampling == 1u) return vec2(1.0 - part, part) * here;
+  if (kSampling == 1u || kSampling == 4u) return vec2(1.0 - part, part) * here;
   const vec4 w = spline(part);
   const mat3x2 before = nodes_of(uv, slice - min(slice, 1u)), behind = nodes_of(uv, min(slice + 1u, volume.slices - 1u));
   return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
@@ -67,14 +67,21 @@ vec3 layers_in_front(uvec2 pixel, float depth, uint id, float own) {
   return t * (own > 0.0 && whole > 0.0 ? seen_in_tail(whole, own) : exp(-whole));
 }
 
+// Where along the ray the integral is read for a fragment whose place is p, both in slices. A slice's optical depth is spread over it, so
+// what was splatted linearly at p lies around p + 1/2.
+float reading_place(float p) {
+  if (kSampling == 4u) return kLinear != 0u ? p + 0.5 : p;
+  return (kSampling == 0u ? floor(p) : p + 1.0) - volume.bias;
+}
+
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
 vec3 transmittance_at(vec2 pixel, float p, vec3 own) {
   const vec2 uv = pixel / vec2(volume.cells * volume.divisor);
   vec3 t;
   if (kSampling == 4u) {
-    // A slice's optical depth is spread over it, so what was splatted at p lies around p + 1/2: that is where to read. Of the
-    // slice read there, what is not the fragment's own cannot be less than nothing, where its cell saw less of it than the pixel.
-    const float g = fract(p), place = kLinear != 0u ? p + 0.5 : p;
+    // Of the slice that is read, what is not the fragment's own cannot be less than nothing, where its cell saw less of it than the
+    // pixel.
+    const float g = fract(p), place = reading_place(p);
     const float most = min(most_depth(kLaneBits), kFullSlice);   // of a share, as it was stored and summed
     const uint slice = min(uint(place), volume.slices - 1u);
     const float part = clamp(place - float(slice), 0.0, 1.0);
@@ -85,7 +92,7 @@ vec3 transmittance_at(vec2 pixel, float p, vec3 own) {
     const vec3 before = vec3(here[0].x, here[1].x, here[2].x), behind = vec3(here[0].y, here[1].y, here[2].y);
     t = exp(-max(before - own_before, 0.0) - part * max(behind - before - own_here, 0.0));
   } else {
-    t = value_at(uv, (kSampling == 0u ? floor(p) : p + 1.0) - volume.bias);
+    t = value_at(uv, reading_place(p));
   }
   return kRgb != 0u ? t : t.rrr;
 }
