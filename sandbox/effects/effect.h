@@ -37,6 +37,29 @@ struct Spawn {
   Range<uint32_t> life_ticks{60, 60};
 };
 
+/// What happens to a parent when it bears children. kLife: they come one by one while it lives.
+enum class BirthEvent : uint32_t { kBirth, kLife, kDeath, kCollision };
+
+/// Emitters of children are born of the particles of another emitter, where these are, instead of by a rate.
+struct Parent {
+  std::string emitter;  ///< of the same effect, earlier in the file
+  uint32_t index = 0;   ///< of that emitter
+  BirthEvent event = BirthEvent::kBirth;
+  uint32_t count = 1;            ///< children a parent; kCollision: a collision; kLife: follows from the life
+  uint32_t collisions = 1;       ///< kCollision: how many of them bear
+  uint32_t first_tick = 0;       ///< kLife: age of the parent at which the first child comes
+  uint32_t every_ticks = 1;      ///< kLife: between children
+  float inherit_velocity = 0.0f;  ///< share of the parent's
+
+  /// Children that one parent of a life of at most so many ticks can have.
+  uint32_t children(uint32_t longest_life) const {
+    if (event == BirthEvent::kCollision) return count * collisions;
+    if (event != BirthEvent::kLife) return count;
+    return longest_life > first_tick ? (longest_life - first_tick - 1) / every_ticks + 1 : 0;
+  }
+};
+constexpr uint32_t kMostGenerations = 2;  ///< of children below an emitter that has a rate
+
 enum class ShapeKind : uint32_t { kPoint, kSphere, kHemisphere, kBox, kCone, kRing };
 
 /// Where particles are born and which way is outwards, in the instance's frame (y up).
@@ -110,16 +133,24 @@ struct Layer {
 
 struct Emitter {
   std::string name;
+  std::optional<Parent> parent;  ///< then `spawn` has a life only
   Spawn spawn;
   Shape shape;
   Motion motion;
   Look look;
 };
 
+/// What an instance does while nobody sees it.
+enum class OffScreen : uint32_t {
+  kContinue,  ///< its time goes on: it is then as if it had been seen all the while
+  kPause,     ///< its time stands still
+};
+
 struct Effect {
   std::string id;  ///< file name without extension
   std::string name;
   std::string description;
+  OffScreen off_screen = OffScreen::kContinue;
   std::vector<Layer> layers;
   std::vector<Emitter> emitters;
 };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sandbox/effects/lineage.h"
 #include "shaders/shared/hash.h"
 
 namespace plume {
@@ -19,11 +20,17 @@ float inverse_or_zero(float value) {
   return value > 0.0f ? 1.0f / value : 0.0f;
 }
 
+uint32_t features_of(const Motion& motion) {
+  return (motion.curl.strength != 0.0f ? shared::kUsesCurl : 0) |
+         (motion.vortex.strength != 0.0f || motion.vortex.pull != 0.0f ? shared::kUsesVortex : 0);
+}
+
 }  // namespace
 
 shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scene_seed, glm::vec3 wind) {
   const Emitter& emitter = call.effect->emitters[index];
-  const auto& [name, spawn, shape, motion, look] = emitter;
+  const auto& [name, parent, spawn, shape, motion, look] = emitter;
+  const auto longest_life_of = [&](uint32_t e) { return call.effect->emitters[e].spawn.life_ticks.max; };
   const float yaw = glm::radians(call.yaw_deg), yaw_sin = std::sin(yaw), yaw_cos = std::cos(yaw);
   const auto turn = [&](glm::vec3 v) {
     return glm::vec3(v.x * yaw_cos + v.z * yaw_sin, v.y, v.z * yaw_cos - v.x * yaw_sin);
@@ -34,7 +41,6 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
   const glm::vec3 origin = call.position + turn(shape.offset_m);
   return {.seed = seed,
           .shape = uint32_t(shape.kind),
-          .call_tick = call.tick,
           .life_min = spawn.life_ticks.min,
           .life_max = spawn.life_ticks.max,
           .curl_octaves = motion.curl.strength != 0.0f ? motion.curl.octaves : 0,
@@ -74,7 +80,25 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .core = call.position,
           .transmission = look.transmission,
           .distortion = glm::radians(look.distortion_deg),
-          .diffusion = glm::radians(look.diffusion_deg)};
+          .diffusion = glm::radians(look.diffusion_deg),
+          .generation = lineage_of(call.effect->emitters, index).generation,
+          .parent = 0,  // where it stands is known when its table is made
+          .per_parent = parent ? parent->children(longest_life_of(parent->index)) : 1,
+          .birth_event = parent ? uint32_t(parent->event) : shared::kBornOfBirth,
+          .birth_count = parent ? parent->count : 1,
+          .birth_first = parent ? parent->first_tick : 0,
+          .birth_every = parent ? parent->every_ticks : 1,
+          .inherit_velocity = parent ? parent->inherit_velocity : 0.0f,
+          .path_first = 0,
+          .path_count = 0};
+}
+
+uint32_t features_of(const Effect& effect, uint32_t index) {
+  const Emitter* emitter = &effect.emitters[index];
+  uint32_t features = features_of(emitter->motion);
+  for (; emitter->parent; emitter = &effect.emitters[emitter->parent->index])
+    features |= shared::kUsesLineage | features_of(effect.emitters[emitter->parent->index].motion);
+  return features;
 }
 
 CurveTable bake_curves(const Look& look) {

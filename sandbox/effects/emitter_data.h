@@ -22,6 +22,9 @@ struct Call {
 
 shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind);
 
+/// What moving the particles of an emitter takes, with that of its ancestors: kUses...
+uint32_t features_of(const Effect& effect, uint32_t emitter);
+
 using CurveTable = std::array<glm::vec4, shared::kCurvesPerEmitter * shared::kCurveSamples>;
 /// The curves of an emitter, sampled evenly over normalised life; rows as shaders/shared/particle.h says.
 CurveTable bake_curves(const Look& look);

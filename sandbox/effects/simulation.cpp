@@ -4,30 +4,27 @@
 
 #include <algorithm>
 
+#include "sandbox/effects/lineage.h"
+
 namespace plume {
 namespace {
 
 using shared::Particle;
 using shared::Span;
 
-struct SimulationPush {
-  uint32_t threads, span_count, tick;
+struct KernelPush {
+  uint32_t threads, first_span, spans;
 };
 
 struct CardsPush {
-  uint32_t threads, span_count, first_card;
+  KernelPush kernel;
+  uint32_t first_card;
 };
 
 constexpr uint32_t kGroupSize = 64;
 
-/// A host-visible buffer that holds `data`, made anew only when it has outgrown the old one.
-template <class T>
-void upload(gpu::Device& device, gpu::Buffer& buffer, const char* label, const std::vector<T>& data) {
-  const uint64_t bytes = std::max<uint64_t>(data.size() * sizeof(T), 16);
-  if (buffer.bytes() < bytes)
-    buffer = gpu::Buffer(
-        device, {.owner = "simulation", .label = label, .bytes = bytes + bytes / 2, .host_visible = true});
-  std::copy(data.begin(), data.end(), buffer.mapped<T>().begin());
+KernelPush push_of(const SpanList::Kernel& kernel) {
+  return {.threads = kernel.threads, .first_span = kernel.first_span, .spans = kernel.spans};
 }
 
 Source source_of(const Look& look) {
@@ -47,206 +44,249 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
   for (Call& call : calls) {
     for (uint32_t e = 0; e < call.effect->emitters.size(); ++e)
       members.push_back({uint32_t(calls_.size()), e, source_of(call.effect->emitters[e].look)});
-    calls_.push_back({.call = std::move(call), .last_tick = 0, .demand = {}});
+    Clock clock(call.tick);
+    calls_.push_back({.call = std::move(call),
+                      .clock = std::move(clock),
+                      .first_emitter = uint32_t(members.size() - call.effect->emitters.size()),
+                      .demand = {}});
     calls_.back().demand.name = calls_.back().call.name;
     calls_.back().demand.called = true;
   }
   std::ranges::stable_sort(members, {}, &Member::source);  // cards of one source stand together
 
-  std::vector<shared::EmitterData> data;
-  std::vector<glm::vec4> curves;
+  emitter_of_call_.resize(members.size());
   for (const auto& [call, index, source] : members) {
     CallState& state = calls_[call];
-    const Emitter& emitter = state.call.effect->emitters[index];
-    data.push_back(emitter_data(state.call, index, scene_seed, wind));
-    const CurveTable table = bake_curves(emitter.look);
-    curves.insert(curves.end(), table.begin(), table.end());
+    const std::vector<Emitter>& emitters = state.call.effect->emitters;
+    const Lineage lineage = lineage_of(emitters, index);
+    emitter_of_call_[state.first_emitter + index] = uint32_t(emitters_.size());
     emitters_.push_back({.call = call,
                          .index = index,
-                         .origin = data.back().origin,
                          .source = source,
-                         .schedule = SpawnSchedule(emitter.spawn),
-                         .max_life = emitter.spawn.life_ticks.max});
-    state.last_tick = std::max(state.last_tick, state.call.tick + emitters_.back().schedule.last_tick());
+                         .features = features_of(*state.call.effect, index),
+                         .schedule = SpawnSchedule(lineage.spawn),
+                         .per_root = uint32_t(lineage.per_root),
+                         .longest_life = lineage.spawn.life_ticks.max,
+                         .data = emitter_data(state.call, index, scene_seed, wind),
+                         .curves = bake_curves(emitters[index].look)});
+    state.last_tick = std::max(state.last_tick, emitters_.back().schedule.last_tick());
   }
-  if (emitters_.empty()) return;
-  emitter_data_ = gpu::make_buffer(device, "simulation", "emitters", data);
-  curves_ = gpu::make_buffer(device, "simulation", "curves", curves);
 }
 
-bool Simulation::has_living(const EmitterState& emitter, uint32_t tick) const {
-  if (tick < calls_[emitter.call].call.tick) return false;
-  const uint32_t local = local_tick(emitter, tick);
-  return emitter.schedule.births(local) > emitter.schedule.first_alive(local);
+/// Its own tick when it is awake at `tick` of the scene.
+std::optional<uint32_t> Simulation::wanted_tick(const EmitterState& emitter, uint32_t tick) const {
+  const std::optional<uint32_t> local = calls_[emitter.call].clock.local(tick);
+  if (!local || emitter.births(*local) == emitter.first_alive(*local)) return {};
+  return local;
 }
 
-bool Simulation::wake_and_sleep(uint32_t tick) {
-  bool changed = false;
-  uint64_t slots = 0;
-  for (EmitterState& emitter : emitters_) {
-    const bool awake = has_living(emitter, tick);
-    changed |= awake != emitter.awake;
-    emitter.awake = awake;
-    if (awake) slots += emitter.schedule.capacity();
-  }
-  if (!changed) return false;
-  particles_ = gpu::Buffer();  // the old pool goes before the new one comes
-  if (slots > 0)
-    particles_ = gpu::Buffer(
-        device_, {.owner = "simulation", .label = "particles", .bytes = slots * sizeof(Particle)});
-  return true;
-}
-
-void Simulation::make_spans(SpanList& list,
-                            const std::function<std::pair<uint64_t, uint64_t>(const EmitterState&)>& window) {
-  list.spans.clear();
-  list.threads = 0;
+/// Gives every emitter that is awake its slots. Those that were awake before keep their particles: returns
+/// what is to be copied from the old pool.
+std::vector<vk::BufferCopy> Simulation::lay_out_pool() {
+  std::vector<vk::BufferCopy> kept;
   uint32_t base = 0;
-  for (uint32_t i = 0; i < emitters_.size(); ++i) {
-    const EmitterState& emitter = emitters_[i];
-    if (!emitter.awake) continue;
-    const uint32_t capacity = uint32_t(emitter.schedule.capacity());
-    const auto [first, end] = window(emitter);
-    if (end > first) {
-      list.spans.push_back({.emitter = i,
-                            .first = uint32_t(first),
-                            .count = uint32_t(end - first),
-                            .base = base,
-                            .capacity = capacity,
-                            .first_slot = uint32_t(first % capacity),
-                            .offset = list.threads});
-      list.threads += list.spans.back().count;
+  for (EmitterState& emitter : emitters_) {
+    if (!emitter.wanted) {
+      emitter.reached.reset();
+      continue;
     }
-    base += capacity;
+    if (emitter.reached)
+      kept.push_back({.srcOffset = uint64_t(emitter.base) * sizeof(Particle),
+                      .dstOffset = uint64_t(base) * sizeof(Particle),
+                      .size = uint64_t(emitter.slots()) * sizeof(Particle)});
+    emitter.base = base;
+    base += emitter.slots();
   }
+  particles_ = gpu::Buffer();
+  if (base > 0)
+    particles_ = gpu::Buffer(
+        device_, {.owner = "simulation", .label = "particles", .bytes = uint64_t(base) * sizeof(Particle)});
+  return kept;
 }
 
-void Simulation::make_birth_table(SpanList& list, uint32_t tick) {
-  std::vector<uint32_t> births;
-  for (Span& span : list.spans) {
-    const EmitterState& emitter = emitters_[span.emitter];
-    const uint32_t local = local_tick(emitter, tick);
-    span.births_base = uint32_t(births.size());
-    span.births_tick = emitter.schedule.birth_tick(span.first);
-    for (uint32_t t = span.births_tick; t <= local; ++t)
-      births.push_back(uint32_t(emitter.schedule.births(t)));
-    span.births_count = uint32_t(births.size()) - span.births_base;
+/// What the device knows of emitters: of those awake and of their ancestors, who need not be.
+void Simulation::fill_tables() {
+  std::vector<bool> known(emitters_.size());
+  for (size_t i = 0; i < emitters_.size(); ++i) {
+    if (!emitters_[i].wanted) continue;
+    known[i] = true;
+    const auto& of_effect = calls_[emitters_[i].call].call.effect->emitters;
+    for (const Emitter* e = &of_effect[emitters_[i].index]; e->parent; e = &of_effect[e->parent->index])
+      known[size_t(&emitter_of(emitters_[i].call, e->parent->index) - emitters_.data())] = true;
   }
-  upload(device_, births_, "births", births);
+  uint32_t places = 0;
+  for (size_t i = 0; i < emitters_.size(); ++i)
+    if (known[i]) emitters_[i].place = places++;
+  std::vector<shared::EmitterData> data;
+  std::vector<glm::vec4> curves;
+  for (size_t i = 0; i < emitters_.size(); ++i) {
+    if (!known[i]) continue;
+    const EmitterState& emitter = emitters_[i];
+    data.push_back(emitter.data);
+    if (const auto& parent = calls_[emitter.call].call.effect->emitters[emitter.index].parent)
+      data.back().parent = emitter_of(emitter.call, parent->index).place;
+    curves.insert(curves.end(), emitter.curves.begin(), emitter.curves.end());
+  }
+  if (data.empty()) return;
+  upload(device_, emitter_data_, "emitters", data);
+  upload(device_, curves_, "curves", curves);
+  upload(device_, path_keys_, "path keys", std::vector<shared::PathKey>(1));
 }
 
-void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list, uint32_t tick) const {
-  if (list.threads == 0) return;
-  pass.dispatch(
-      pipelines_.compute(shader),
-      {{"Particles", &particles_},
-       {"Spans", &list.buffer},
-       {"Emitters", &emitter_data_},
-       {"Births", &births_}},
-      SimulationPush{.threads = list.threads, .span_count = uint32_t(list.spans.size()), .tick = tick},
-      {gpu::groups(list.threads, kGroupSize), 1, 1});
+Span Simulation::span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const {
+  return {.emitter = emitter.place,
+          .first = uint32_t(first),
+          .count = uint32_t(end - first),
+          .base = emitter.base,
+          .capacity = emitter.slots(),
+          .first_slot = uint32_t(first % emitter.slots()),
+          .tick = *emitter.wanted,
+          .per_root = emitter.per_root};
 }
 
-std::vector<gpu::PassTime> Simulation::seek(uint32_t tick) {
-  wake_and_sleep(tick);
-  make_spans(living_, [&](const EmitterState& emitter) {
-    const uint32_t local = local_tick(emitter, tick);
-    return std::pair(emitter.schedule.first_alive(local), emitter.schedule.births(local));
-  });
-  make_birth_table(living_, tick);
-  upload(device_, living_.buffer, "living", living_.spans);
-  tick_ = tick;
-  count_demand(tick, true);
-  if (living_.threads == 0) return {};
-  gpu::Frame frame(device_, pipelines_);
-  frame.pass("seek", [&](gpu::Pass& pass) { record(pass, "effects/seek.comp", living_, tick); });
-  return frame.finish();
+/// Births [first, end), from their ancestors' births on.
+void Simulation::add_seek(const EmitterState& emitter, uint64_t first, uint64_t end) {
+  if (first == end) return;
+  Span span = span_of(emitter, first, end);
+  span.births_base = uint32_t(births_.size());
+  span.births_tick = emitter.schedule.birth_tick(first / emitter.per_root);
+  span.births_count = span.tick - span.births_tick + 1;
+  births_.push_back(span.births_tick == 0 ? 0 : uint32_t(emitter.schedule.births(span.births_tick - 1)));
+  for (uint32_t tick = span.births_tick; tick <= span.tick; ++tick)
+    births_.push_back(uint32_t(emitter.schedule.births(tick)));
+  seeks_.add(emitter.features, span);
 }
 
-std::vector<gpu::PassTime> Simulation::step() {
-  const uint32_t tick = tick_.value() + 1;
-  // The pool is laid out for what is awake: when that changes, everybody is brought to the new tick directly.
-  if (wake_and_sleep(tick)) return seek(tick);
-  const auto born_before = [&](const EmitterState& emitter) {
-    const uint32_t local = local_tick(emitter, tick);
-    return local > 0 ? emitter.schedule.births(local - 1) : 0;
-  };
-  const auto alive_from = [&](const EmitterState& emitter) {
-    return emitter.schedule.first_alive(local_tick(emitter, tick));
-  };
-  const auto born_until = [&](const EmitterState& emitter) {
-    return emitter.schedule.births(local_tick(emitter, tick));
-  };
-  make_spans(living_, [&](const EmitterState& e) { return std::pair(alive_from(e), born_until(e)); });
-  make_spans(moving_, [&](const EmitterState& e) { return std::pair(alive_from(e), born_before(e)); });
-  make_spans(fresh_, [&](const EmitterState& e) { return std::pair(born_before(e), born_until(e)); });
-  make_birth_table(fresh_, tick);
-  upload(device_, living_.buffer, "living", living_.spans);
-  upload(device_, moving_.buffer, "moving", moving_.spans);
-  upload(device_, fresh_.buffer, "fresh", fresh_.spans);
-  tick_ = tick;
-  count_demand(tick, false);
-  if (living_.threads == 0) return {};
-  gpu::Frame frame(device_, pipelines_);
-  frame.pass("step", [&](gpu::Pass& pass) {  // both at once: they touch different slots
-    record(pass, "effects/tick.comp", moving_, tick);
-    record(pass, "effects/seek.comp", fresh_, tick);
-  });
-  return frame.finish();
+/// Which births are stepped and which are sought so that every emitter reaches what is wanted of it.
+void Simulation::plan() {
+  living_.clear(), steps_.clear(), seeks_.clear(), births_.clear();
+  for (EmitterState& emitter : emitters_) {
+    if (!emitter.wanted) continue;
+    const uint32_t tick = *emitter.wanted;
+    const uint64_t first = emitter.first_alive(tick), end = emitter.births(tick);
+    living_.add(0, span_of(emitter, first, end));
+    emitter.ticks = emitter.dispatches = 0;
+    if (emitter.reached == tick) continue;
+    uint64_t fresh = first;  // those after it come by seeking
+    if (tick > 0 && emitter.reached == tick - 1) {
+      fresh = std::max(first, emitter.births(tick - 1));
+      steps_.add(emitter.features, span_of(emitter, first, fresh));
+      emitter.ticks = 1;
+      emitter.dispatches = fresh > first;
+    } else {
+      emitter.ticks = std::min(tick + 1, emitter.longest_life);
+    }
+    add_seek(emitter, fresh, end);
+    emitter.dispatches += end > fresh;
+    emitter.reached = tick;
+  }
+  living_.upload(device_, "living"), steps_.upload(device_, "steps"), seeks_.upload(device_, "seeks");
+  upload(device_, births_buffer_, "births", births_);
+}
+
+void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list) const {
+  for (const SpanList::Kernel& kernel : list.kernels())
+    pass.dispatch(pipelines_.compute(shader, {kernel.id}),
+                  {{"Particles", &particles_},
+                   {"Spans", &list.buffer()},
+                   {"Emitters", &emitter_data_},
+                   {"Births", &births_buffer_},
+                   {"PathKeys", &path_keys_}},
+                  push_of(kernel), {gpu::groups(kernel.threads, kGroupSize), 1, 1});
 }
 
 std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
-  if (tick_ == tick) return {};
-  if (tick_ && tick == *tick_ + 1) return step();
-  return seek(tick);
+  bool moved = false;
+  for (EmitterState& emitter : emitters_) {
+    emitter.wanted = wanted_tick(emitter, tick);
+    moved |= emitter.wanted.has_value() != emitter.reached.has_value();
+  }
+  gpu::Buffer old;
+  std::vector<vk::BufferCopy> kept;
+  if (moved) {
+    old = std::move(particles_);
+    kept = lay_out_pool();
+    fill_tables();
+  }
+  plan();
+  tick_ = tick;
+  count_demand(tick);
+  if (kept.empty() && steps_.empty() && seeks_.empty()) return {};
+  gpu::Frame frame(device_, pipelines_);
+  if (!kept.empty())
+    frame.pass("keep particles",
+               [&](gpu::Pass& pass) { pass.commands().copyBuffer(old.vk(), particles_.vk(), kept); });
+  if (!steps_.empty() || !seeks_.empty())
+    frame.pass("simulate", [&](gpu::Pass& pass) {  // both at once: they touch different slots
+      record(pass, "effects/tick.comp", steps_);
+      record(pass, "effects/seek.comp", seeks_);
+    });
+  return frame.finish();
+}
+
+std::vector<gpu::PassTime> Simulation::seek(uint32_t tick) {
+  for (EmitterState& emitter : emitters_) emitter.reached.reset();
+  return go_to(tick);
+}
+
+uint32_t Simulation::cards() const {
+  uint32_t threads = 0;
+  for (const SpanList::Kernel& kernel : living_.kernels()) threads += kernel.threads;
+  return threads;
 }
 
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                               uint32_t first_card) const {
-  if (living_.threads == 0) return;
-  pass.dispatch(
-      pipelines_.compute("effects/cards.comp"),
-      {{"Particles", &particles_},
-       {"Spans", &living_.buffer},
-       {"Emitters", &emitter_data_},
-       {"View", &view},
-       {"Curves", &curves_},
-       {"Cards", &cards}},
-      CardsPush{
-          .threads = living_.threads, .span_count = uint32_t(living_.spans.size()), .first_card = first_card},
-      {gpu::groups(living_.threads, kGroupSize), 1, 1});
+  for (const SpanList::Kernel& kernel : living_.kernels()) {
+    pass.dispatch(pipelines_.compute("effects/cards.comp"),
+                  {{"Particles", &particles_},
+                   {"Spans", &living_.buffer()},
+                   {"Emitters", &emitter_data_},
+                   {"View", &view},
+                   {"Curves", &curves_},
+                   {"Cards", &cards}},
+                  CardsPush{.kernel = push_of(kernel), .first_card = first_card},
+                  {gpu::groups(kernel.threads, kGroupSize), 1, 1});
+    first_card += kernel.threads;
+  }
 }
 
 std::array<uint32_t, kSources> Simulation::cards_by_source() const {
   std::array<uint32_t, kSources> result{};
-  for (const Span& span : living_.spans) result[size_t(emitters_[span.emitter].source)] += span.count;
+  for (const EmitterState& emitter : emitters_)
+    if (emitter.wanted)
+      result[size_t(emitter.source)] +=
+          uint32_t(emitter.births(*emitter.wanted) - emitter.first_alive(*emitter.wanted));
   return result;
 }
 
 std::vector<Simulation::EmitterCards> Simulation::cards_by_emitter() const {
-  std::vector<Span> spans = living_.spans;  // by source; the scene's order is that of calls
-  std::ranges::sort(spans, {}, [&](const Span& span) {
-    return std::pair(emitters_[span.emitter].call, emitters_[span.emitter].index);
-  });
-  std::vector<EmitterCards> result;
-  for (const Span& span : spans) {
-    const EmitterState& emitter = emitters_[span.emitter];
+  std::vector<EmitterCards> result(emitters_.size());
+  uint32_t first = 0;
+  for (const EmitterState& emitter : emitters_) {  // by source; the scene's order is that of calls
+    if (!emitter.wanted) continue;
     const Call& call = calls_[emitter.call].call;
-    result.push_back({.first = span.offset,
-                      .count = span.count,
-                      .origin = emitter.origin,
-                      .draw_order = call.draw_order + call.effect->emitters[emitter.index].look.draw_order});
+    EmitterCards& cards = result[calls_[emitter.call].first_emitter + emitter.index];
+    cards = {.first = first,
+             .count = uint32_t(emitter.births(*emitter.wanted) - emitter.first_alive(*emitter.wanted)),
+             .origin = emitter.data.origin,
+             .draw_order = call.draw_order + call.effect->emitters[emitter.index].look.draw_order};
+    first += cards.count;
   }
+  std::erase_if(result, [](const EmitterCards& cards) { return cards.count == 0; });
   return result;
 }
 
 std::vector<Particle> Simulation::particles() const {
   std::vector<Particle> result;
-  if (living_.threads == 0) return result;
+  if (!particles_) return result;
   const auto pool = gpu::read<Particle>(device_, particles_);
-  for (const Span& span : living_.spans)
-    for (uint32_t i = 0; i < span.count; ++i)
-      result.push_back(pool[span.base + (span.first + i) % span.capacity]);
+  for (const EmitterState& emitter : emitters_) {
+    if (!emitter.wanted) continue;
+    for (uint64_t birth = emitter.first_alive(*emitter.wanted); birth < emitter.births(*emitter.wanted);
+         ++birth)
+      result.push_back(pool[emitter.base + birth % emitter.slots()]);
+  }
   return result;
 }
 
@@ -258,36 +298,28 @@ uint64_t Simulation::state_hash() const {
   return hash;
 }
 
-void Simulation::count_demand(uint32_t tick, bool seeking) {
-  std::vector<uint64_t> longest(calls_.size(), 0);
+void Simulation::count_demand(uint32_t tick) {
+  std::vector<uint64_t> living(calls_.size()), ticks(calls_.size()), dispatches(calls_.size());
   for (CallState& call : calls_) call.demand.awake = false, call.demand.bytes = 0;
-  std::vector<uint64_t> living(calls_.size(), 0), dispatches(calls_.size(), seeking ? 1 : 0);
-  if (!seeking)
-    for (const SpanList* list : {&moving_, &fresh_}) {
-      std::vector<bool> takes_part(calls_.size(), false);
-      for (const Span& span : list->spans) takes_part[emitters_[span.emitter].call] = true;
-      for (size_t i = 0; i < calls_.size(); ++i) dispatches[i] += takes_part[i];
-    }
-  for (const Span& span : living_.spans) {
-    const EmitterState& emitter = emitters_[span.emitter];
+  for (const EmitterState& emitter : emitters_) {
+    if (!emitter.wanted) continue;
     InstanceDemand& demand = calls_[emitter.call].demand;
     demand.awake = true;
-    demand.bytes += uint64_t(span.capacity) * sizeof(Particle);
-    living[emitter.call] += span.count;
-    const uint64_t ticks = seeking ? std::min(local_tick(emitter, tick), emitter.max_life) : 1;
-    longest[emitter.call] = std::max(longest[emitter.call], ticks);
+    demand.bytes += uint64_t(emitter.slots()) * sizeof(Particle);
+    living[emitter.call] += emitter.births(*emitter.wanted) - emitter.first_alive(*emitter.wanted);
+    ticks[emitter.call] = std::max<uint64_t>(ticks[emitter.call], emitter.ticks);
+    dispatches[emitter.call] = std::max<uint64_t>(dispatches[emitter.call], emitter.dispatches);
   }
   for (size_t i = 0; i < calls_.size(); ++i) {
-    CallState& call = calls_[i];
-    if (call.demand.awake) {
-      call.demand.dispatches += dispatches[i];
-      call.demand.ticks_simulated += longest[i];
-      call.demand.why = fmt::format("has {} particles", living[i]);
-    } else {
-      call.demand.why = tick < call.call.tick   ? fmt::format("starts at tick {}", call.call.tick)
-                        : tick > call.last_tick ? fmt::format("finished at tick {}", call.last_tick)
-                                                : "between births";
-    }
+    const auto& [call, clock, first_emitter, last_tick, ignored] = calls_[i];
+    InstanceDemand& demand = calls_[i].demand;
+    demand.dispatches += dispatches[i];
+    demand.ticks_simulated += ticks[i];
+    const std::optional<uint32_t> local = clock.local(tick);
+    demand.why = demand.awake         ? fmt::format("has {} particles", living[i])
+                 : !local             ? fmt::format("starts at tick {}", call.tick)
+                 : *local > last_tick ? fmt::format("finished at tick {}", call.tick + last_tick)
+                                      : "between births";
   }
 }
 

@@ -1,6 +1,6 @@
 // All particles of a scene on the GPU. A particle is a function of (seed, birth index, tick), so stepping
-// tick by tick and seeking to a tick directly give the same bits; what is asleep has no memory and no
-// dispatch.
+// tick by tick and seeking to a tick directly give the same bits: an emitter that nobody sees has no memory
+// and no dispatch, and is brought to its tick when somebody looks. See shaders/effects/lineage.glsl.
 #ifndef PLUME_EFFECTS_SIMULATION_H
 #define PLUME_EFFECTS_SIMULATION_H
 
@@ -8,8 +8,10 @@
 
 #include "renderer/gpu/frame.h"
 #include "renderer/transparents.h"
+#include "sandbox/effects/clock.h"
 #include "sandbox/effects/demand.h"
 #include "sandbox/effects/emitter_data.h"
+#include "sandbox/effects/span_list.h"
 #include "sandbox/effects/spawn_schedule.h"
 
 namespace plume {
@@ -20,16 +22,16 @@ class Simulation {
   Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls, uint32_t scene_seed,
              glm::vec3 wind);
 
-  /// Makes `tick` the current one by the shorter of the two roads. Waits for the device. Returns the passes
-  /// it took.
+  /// Makes `tick` the current one: each emitter takes the shorter road. Waits for the device. Returns the
+  /// passes it took.
   std::vector<gpu::PassTime> go_to(uint32_t tick);
   /// The two roads by name. step() goes to the next tick; any tick must have been reached before.
   std::vector<gpu::PassTime> seek(uint32_t tick);
-  std::vector<gpu::PassTime> step();
+  std::vector<gpu::PassTime> step() { return go_to(tick() + 1); }
 
   uint32_t tick() const { return tick_.value(); }
-  /// Cards that record_cards() writes: the living and the just dead.
-  uint32_t cards() const { return living_.threads; }
+  /// Cards that record_cards() writes: the living, the just dead and those not born yet.
+  uint32_t cards() const;
   /// The same by source, in the order of the enumeration, which is also that of the cards.
   std::array<uint32_t, kSources> cards_by_source() const;
   /// The same by emitter, in the order of calls and of their emitters.
@@ -54,44 +56,55 @@ class Simulation {
   struct EmitterState {
     uint32_t call;   // index into calls_
     uint32_t index;  // of the effect's emitters
-    glm::vec3 origin;
     Source source;
-    SpawnSchedule schedule;
-    uint32_t max_life;
-    bool awake = false;
+    uint32_t features;       // kUses...
+    SpawnSchedule schedule;  // of the root of its lineage, with the lives of all of it
+    uint32_t per_root;       // births of its own for each of those
+    uint32_t longest_life;   // of the whole lineage, ticks
+    shared::EmitterData data;
+    CurveTable curves;
+
+    std::optional<uint32_t> wanted = {};   // its own tick that is asked for; nothing: it sleeps
+    std::optional<uint32_t> reached = {};  // that of its particles in the pool
+    uint32_t base = 0;                     // its first slot there
+    uint32_t place = 0;                    // in the table of emitters on the device
+    uint32_t ticks = 0, dispatches = 0;    // that reaching it took
+
+    uint64_t births(uint32_t tick) const { return schedule.births(tick) * per_root; }
+    uint64_t first_alive(uint32_t tick) const { return schedule.first_alive(tick) * per_root; }
+    uint32_t slots() const { return uint32_t(schedule.capacity() * per_root); }
   };
   struct CallState {
     Call call;
-    uint32_t last_tick = 0;  // of the scene, at which anything can be alive
+    Clock clock;
+    uint32_t first_emitter;  // index into emitters_of_calls_: the call's, in the order of its effect
+    uint32_t last_tick = 0;  // its own, at which anything can be alive
     InstanceDemand demand;
   };
 
-  uint32_t local_tick(const EmitterState& emitter, uint32_t tick) const {
-    return tick - calls_[emitter.call].call.tick;
+  const EmitterState& emitter_of(uint32_t call, uint32_t index) const {
+    return emitters_[emitter_of_call_[calls_[call].first_emitter + index]];
   }
-  bool has_living(const EmitterState& emitter, uint32_t tick) const;
-  bool wake_and_sleep(uint32_t tick);
-  struct SpanList {
-    std::vector<shared::Span> spans;
-    gpu::Buffer buffer;
-    uint32_t threads = 0;
-  };
-  /// One span per awake emitter of the births that `window` gives for it, empty ones left out.
-  void make_spans(SpanList& list,
-                  const std::function<std::pair<uint64_t, uint64_t>(const EmitterState&)>& window);
-  void make_birth_table(SpanList& list, uint32_t tick);
-  void record(gpu::Pass& pass, const char* shader, const SpanList& list, uint32_t tick) const;
-  void count_demand(uint32_t tick, bool seeking);
+  std::optional<uint32_t> wanted_tick(const EmitterState& emitter, uint32_t tick) const;
+  std::vector<vk::BufferCopy> lay_out_pool();
+  void fill_tables();
+  void plan();
+  shared::Span span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const;
+  void add_seek(const EmitterState& emitter, uint64_t first, uint64_t end);
+  void record(gpu::Pass& pass, const char* shader, const SpanList& list) const;
+  void count_demand(uint32_t tick);
 
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   std::vector<CallState> calls_;
-  std::vector<EmitterState> emitters_;
-  gpu::Buffer emitter_data_, curves_;
-  gpu::Buffer particles_, births_;
-  SpanList living_;  // every particle that can be alive at this tick: what cards are made of
-  SpanList moving_;  // those that were there before this tick
-  SpanList fresh_;   // those born at this tick
+  std::vector<EmitterState> emitters_;     // by source, so that the cards of one stand together
+  std::vector<uint32_t> emitter_of_call_;  // by call and index, into emitters_
+  gpu::Buffer emitter_data_, curves_, path_keys_;  // of those awake
+  gpu::Buffer particles_, births_buffer_;
+  std::vector<uint32_t> births_;  // how many were born before each tick: see Span
+  SpanList living_;               // every particle that can be alive at this tick: what cards are made of
+  SpanList steps_;                // those that go on from the tick before
+  SpanList seeks_;                // those that are brought to this tick from their births
   std::optional<uint32_t> tick_;
 };
 

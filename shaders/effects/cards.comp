@@ -2,6 +2,7 @@
 //   tau = C / (pi r^2) * fade   (physical: growth thins)   or   tau = -ln(1 - alpha) * fade   (the artist's curve)
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "effects/features.glsl"
 #include "effects/spans.glsl"
 #include "effects/step.glsl"
 #include "effects/puff.h"
@@ -16,6 +17,7 @@ layout(scalar, binding = 5) readonly buffer Curves { vec4 curves[]; };
 layout(scalar, binding = 6) writeonly buffer Cards { Card cards[]; };
 layout(push_constant) uniform Push {
   uint threads;
+  uint first_span;
   uint span_count;
   uint first_card;
 };
@@ -109,11 +111,10 @@ Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
 void main() {
   const uint thread = gl_GlobalInvocationID.x;
   if (thread >= threads) return;
-  const Span span = span_of(thread, span_count);
+  const Span span = span_of(thread, first_span, span_count);
   const uint index = thread - span.offset, birth = span.first + index;
   const Particle p = particles[slot_of(span, index)];
-  const uint age = p.age_and_emitter & kDeadAge;
   const EmitterData e = emitters[span.emitter];
-  if (age == kDeadAge) cards[first_card + thread] = hidden_card();
-  else cards[first_card + thread] = card_of(e, span.emitter, p, age, particle_key(e, birth));
+  if (is_dead(p) || !is_born(p)) cards[first_card + thread] = hidden_card();
+  else cards[first_card + thread] = card_of(e, span.emitter, p, p.state & kDeadAge, particle_key(e, birth));
 }

@@ -1,44 +1,43 @@
-// Any tick directly: every particle alive then integrates its own age in registers and is written once. Costs at most one lifetime.
+// Any tick directly: every particle alive then integrates its own age in registers and is written once. Costs at most one lifetime, with
+// those of its ancestors.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "effects/spans.glsl"
-#include "effects/step.glsl"
+#include "effects/features.glsl"
+#include "effects/lineage.glsl"
 
 layout(local_size_x = 64) in;
 layout(scalar, binding = 0) writeonly buffer Particles { Particle particles[]; };
-layout(scalar, binding = 3) readonly buffer Births { uint births[]; };   // born up to and including each tick, per span
+layout(scalar, binding = 3) readonly buffer Births { uint births[]; };   // of roots, before each tick, per span
 layout(push_constant) uniform Push {
   uint threads;
+  uint first_span;
   uint span_count;
-  uint tick;
 };
 
-// The first tick by which more than `birth` were born.
-uint birth_tick(Span span, uint birth) {
-  uint low = 0u, high = span.births_count - 1u;
-  while (low < high) {
+// Which tick of the span's table bore `root`: the last one before which no more than `root` were born.
+uint row_of(Span span, uint root) {
+  uint low = 0u, high = span.births_count;
+  while (high - low > 1u) {
     const uint middle = (low + high) / 2u;
-    if (births[span.births_base + middle] > birth) high = middle;
-    else low = middle + 1u;
+    if (births[span.births_base + middle] <= root) low = middle;
+    else high = middle;
   }
-  return span.births_tick + low;
+  return low;
 }
 
 void main() {
   const uint thread = gl_GlobalInvocationID.x;
   if (thread >= threads) return;
-  const Span span = span_of(thread, span_count);
-  const EmitterData e = emitters[span.emitter];
+  const Span span = span_of(thread, first_span, span_count);
   const uint index = thread - span.offset, birth = span.first + index;
-  const uint slot = slot_of(span, index);
-  const uint key = particle_key(e, birth);
-  const uint born = e.call_tick + birth_tick(span, birth);
-  const uint age = tick - born;
-  if (age >= life_of(e, key)) {
-    particles[slot] = dead_particle(span.emitter, birth);
-    return;
-  }
-  Motion m = birth_motion(e, key);
-  for (uint a = 0u; a < age; ++a) m = step_motion(e, m, a, born + a);
-  particles[slot] = living_particle(m, span.emitter, birth, age);
+  const uint root = birth / span.per_root;
+  const uint row = row_of(span, root);
+  const uint born = span.births_tick + row;
+  // Those of one tick are spread evenly over it: a moving emitter leaves no clots.
+  const uint before = births[span.births_base + row], after = births[span.births_base + row + 1u];
+  const float part = (float(root - before) + 0.5) / float(max(after - before, 1u));
+
+  Life life = first_life(span.emitter, birth, born, part);
+  for (uint tick = born; tick < span.tick && life.age != kDeadAge; ++tick) life = advance(life, span.emitter, birth, tick);
+  particles[slot_of(span, index)] = particle_of(life, birth);
 }

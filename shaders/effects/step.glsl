@@ -23,9 +23,13 @@ vec3 rotate_yaw(EmitterData e, vec3 v) {
 struct Motion {
   vec3 position;
   vec3 velocity;
+  uint contact;
 };
 
-Motion birth_motion(EmitterData e, uint key) {
+uint collisions(Motion m) { return m.contact >> kCollisionShift; }
+
+// Around `origin`, world; `inherited` is the share of a parent's velocity, m/s.
+Motion birth_motion(EmitterData e, uint key, vec3 origin, vec3 inherited) {
   const float a = random(key, 1u), b = random(key, 2u), c = random(key, 3u), d = random(key, 4u);
   precise float angle = kTwoPi * a;
   precise vec3 outward = vec3(0.0, 1.0, 0.0);
@@ -63,20 +67,22 @@ Motion birth_motion(EmitterData e, uint key) {
     }
   }
   Motion m;
-  precise vec3 position = e.origin + rotate_yaw(e, place);
+  precise vec3 position = origin + rotate_yaw(e, place);
   precise float speed = e.speed_min + (e.speed_max - e.speed_min) * random(key, 5u);
-  precise vec3 velocity = rotate_yaw(e, outward * speed) + e.velocity;
+  precise vec3 velocity = rotate_yaw(e, outward * speed) + e.velocity + inherited;
   m.position = position;
   m.velocity = velocity;
+  m.contact = 0u;
   return m;
 }
 
-// Symplectic Euler with implicit drag. `age` is the particle's age in ticks before the step, `tick` the scene's tick then.
-Motion step_motion(EmitterData e, Motion m, uint age, uint tick) {
+// Symplectic Euler with implicit drag. `age` is the particle's age in ticks before the step, `tick` its emitter's tick and `origin`
+// its emitter's place then.
+Motion step_motion(EmitterData e, vec3 origin, Motion m, uint age, uint tick) {
   precise vec3 acceleration = e.gravity;
   acceleration.y += e.buoyancy * exp(-float(age) * kTick * e.inv_cooling);
   precise vec3 at = (m.position - e.origin) * e.curl_inv_scale;
-  at.y -= e.curl_speed * float(tick - e.call_tick) * kTick;
+  at.y -= e.curl_speed * float(tick) * kTick;
   at += vec3(e.seed & 0xffu, (e.seed >> 8u) & 0xffu, (e.seed >> 16u) & 0xffu);
   precise float strength = e.curl_strength;
   for (uint octave = 0u; octave < e.curl_octaves; ++octave) {
@@ -84,7 +90,7 @@ Motion step_motion(EmitterData e, Motion m, uint age, uint tick) {
     at = at * 2.03 + 17.3;
     strength *= 0.5;
   }
-  precise vec2 arm = m.position.xz - e.origin.xz;
+  precise vec2 arm = m.position.xz - origin.xz;
   precise float distance = sqrt(dot(arm, arm)) + 1e-6;
   precise float reach = distance * e.vortex_inv_radius;
   precise float swirl = e.vortex_strength * reach / (1.0 + reach * reach) * 2.0 / distance;
@@ -100,17 +106,6 @@ Motion step_motion(EmitterData e, Motion m, uint age, uint tick) {
   m.position = position;
   m.velocity = velocity;
   return m;
-}
-
-const uint kDeadAge = (1u << kAgeBits) - 1u;
-
-// What a slot holds once its particle has died: the same whichever road led there.
-Particle dead_particle(uint emitter, uint birth) {
-  return Particle(vec3(0.0), birth, vec3(0.0), kDeadAge | emitter << kAgeBits);
-}
-
-Particle living_particle(Motion m, uint emitter, uint birth, uint age) {
-  return Particle(m.position, birth, m.velocity, age | emitter << kAgeBits);
 }
 
 #endif

@@ -6,7 +6,11 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kAgeBits = 20u;          // of age_and_emitter; the emitter has the upper 12
+const uint kAgeBits = 20u;          // of Particle::state
+const uint kContactShift = 20u;     // what its motion has met: see kStuck and below
+const uint kContactMask = 63u;
+const uint kGenerationShift = 26u;  // ancestors still to come
+const uint kDeadAge = (1u << kAgeBits) - 1u;
 const uint kCurveSamples = 32u;     // per curve, over normalised life
 const uint kCurvesPerEmitter = 3u;  // (radius, fade, alpha, -), (color, -), (emission, -)
 
@@ -14,14 +18,37 @@ struct Particle {
   vec3 position;         // world, m
   uint birth;            // index among the births of its emitter
   vec3 velocity;         // m/s
-  uint age_and_emitter;  // age in ticks | emitter << kAgeBits
+  uint state;            // age in ticks | contact << kContactShift | generation << kGenerationShift
 };
+
+// Of contact.
+const uint kStuck = 1u;           // stays where it is for ever
+const uint kKilled = 2u;          // dies with this tick
+const uint kCollisionShift = 2u;  // above: collisions so far, at most kMostCollisions are counted
+const uint kMostCollisions = 15u;
+
+// What the emitters of a kernel use: its pipeline leaves out everything else.
+const uint kUsesCurl = 1u;
+const uint kUsesVortex = 2u;
+const uint kUsesAttractors = 4u;
+const uint kUsesField = 8u;
+const uint kUsesOrbit = 16u;
+const uint kUsesCollision = 32u;
+const uint kUsesKill = 64u;
+const uint kUsesPath = 128u;
+const uint kUsesLineage = 256u;
+
+// BirthEvent
+const uint kBornOfBirth = 0u;
+const uint kBornOfLife = 1u;
+const uint kBornOfDeath = 2u;
+const uint kBornOfCollision = 3u;
+const uint kMostGenerations = 2u;  // below an emitter with a rate
 
 // One emitter of one called instance.
 struct EmitterData {
   uint seed;       // mixes effect seed, instance and emitter
   uint shape;      // ShapeKind
-  uint call_tick;  // scene tick at which the instance was called
   uint life_min;   // ticks
   uint life_max;
   uint curl_octaves;
@@ -62,6 +89,23 @@ struct EmitterData {
   vec3 transmission;
   float distortion;  // radians
   float diffusion;   // radians
+  // Children: who bears them, and when.
+  uint generation;   // ancestors above
+  uint parent;       // emitter
+  uint per_parent;   // children of one parent
+  uint birth_event;  // kBorn...
+  uint birth_count;  // of one collision
+  uint birth_first;  // ticks: age of the parent at the first child of its life
+  uint birth_every;  // ticks between them
+  float inherit_velocity;
+  uint path_first;  // keys of the path that the emitter moves on
+  uint path_count;
+};
+
+// Where an emitter is at a tick since its call, from where it was called.
+struct PathKey {
+  float tick;
+  vec3 offset;  // m, world
 };
 
 const uint kEmitterLit = 1u;
@@ -76,9 +120,11 @@ struct Span {
   uint capacity;     // slots
   uint first_slot;   // first mod capacity: a division a thread saved
   uint offset;       // sum of counts before: first thread, first card
-  uint births_base;  // catch-up: first entry of this emitter's births-by-tick table
-  uint births_tick;  // catch-up: the tick (since the call) of that entry
-  uint births_count;
+  uint tick;         // of the emitter, since its call
+  uint per_root;     // births of one ancestor that has a rate
+  uint births_base;  // catch-up: first entry of the table of how many of those were born before each tick
+  uint births_tick;  // catch-up: the tick of that entry
+  uint births_count;  // catch-up: ticks; the table has one entry more
 };
 
 PLUME_SHARED_END

@@ -42,7 +42,7 @@ void step(benchmark::State& state, bool curl) {
   AgainstCopy result(state, "particles/s", double(state.range(0)), kStepBytes);
   for (auto _ : state) {
     if (simulation.tick() + 2 >= kLife) simulation.seek(1);  // all alive, always
-    result.add(seconds_of(simulation.step(), "step"));
+    result.add(seconds_of(simulation.step(), "simulate"));
   }
 }
 
@@ -60,7 +60,7 @@ void BM_SeekWithCurlNoise(benchmark::State& state) {
   Simulation simulation = simulate(effect);
   simulation.seek(age);
   AgainstCopy result(state, "particle_ticks/s", double(state.range(0)) * age, kStepBytes / age);
-  for (auto _ : state) result.add(seconds_of(simulation.seek(age), "seek"));
+  for (auto _ : state) result.add(seconds_of(simulation.seek(age), "simulate"));
 }
 
 void BM_Cards(benchmark::State& state) {

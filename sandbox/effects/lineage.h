@@ -1,0 +1,20 @@
+// Emitters whose particles are born of other particles: how many a root bears, and how long all of that lives.
+#ifndef PLUME_EFFECTS_LINEAGE_H
+#define PLUME_EFFECTS_LINEAGE_H
+
+#include "sandbox/effects/effect.h"
+
+namespace plume {
+
+/// Of one emitter: the ancestor with a rate, and what each of its births leads to.
+struct Lineage {
+  Spawn spawn;             ///< of that root, with the longest life of the whole lineage, its own included
+  uint64_t per_root = 1;   ///< particles of the emitter for each birth of the root
+  uint32_t generation = 0;  ///< ancestors above
+};
+
+/// Parents stand before their children in `emitters`, as the reader makes sure.
+Lineage lineage_of(const std::vector<Emitter>& emitters, uint32_t index);
+
+}  // namespace plume
+#endif

@@ -1,0 +1,40 @@
+#include "sandbox/effects/span_list.h"
+
+#include <algorithm>
+
+namespace plume {
+
+void SpanList::clear() {
+  by_kernel_.clear();
+  kernels_.clear();
+}
+
+void SpanList::add(uint32_t kernel, shared::Span span) {
+  if (span.count == 0) return;
+  std::vector<shared::Span>& spans = by_kernel_[kernel];
+  span.offset = spans.empty() ? 0 : spans.back().offset + spans.back().count;
+  spans.push_back(span);
+}
+
+void SpanList::upload(gpu::Device& device, const char* label) {
+  std::vector<shared::Span> all;
+  kernels_.clear();
+  for (const auto& [id, spans] : by_kernel_) {
+    kernels_.push_back({.id = id,
+                        .threads = spans.back().offset + spans.back().count,
+                        .first_span = uint32_t(all.size()),
+                        .spans = uint32_t(spans.size())});
+    all.insert(all.end(), spans.begin(), spans.end());
+  }
+  if (!all.empty()) plume::upload(device, buffer_, label, all);
+}
+
+void upload(gpu::Device& device, gpu::Buffer& buffer, const char* label, std::span<const std::byte> data) {
+  const uint64_t bytes = std::max<uint64_t>(data.size(), 16);
+  if (buffer.bytes() < bytes)
+    buffer = gpu::Buffer(
+        device, {.owner = "simulation", .label = label, .bytes = bytes + bytes / 2, .host_visible = true});
+  std::ranges::copy(data, buffer.mapped<std::byte>().begin());
+}
+
+}  // namespace plume

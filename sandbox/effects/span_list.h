@@ -1,0 +1,45 @@
+// Births that kernels work on, as the device reads them: spans of one kernel stand together, and each kernel is
+// one dispatch however many emitters it serves.
+#ifndef PLUME_EFFECTS_SPAN_LIST_H
+#define PLUME_EFFECTS_SPAN_LIST_H
+
+#include <map>
+
+#include "renderer/gpu/frame.h"
+#include "shaders/shared/particle.h"
+
+namespace plume {
+
+class SpanList {
+ public:
+  /// As the kernels take it, beginning with what all of them push.
+  struct Kernel {
+    uint32_t id;
+    uint32_t threads, first_span, spans;
+  };
+
+  void clear();
+  /// Empty spans are left out. Spans keep the order in which they were added to a kernel; `offset` is set here.
+  void add(uint32_t kernel, shared::Span span);
+  /// Makes what was added readable for the device, which must be idle.
+  void upload(gpu::Device& device, const char* label);
+
+  bool empty() const { return by_kernel_.empty(); }
+  const std::vector<Kernel>& kernels() const { return kernels_; }
+  const gpu::Buffer& buffer() const { return buffer_; }
+
+ private:
+  std::map<uint32_t, std::vector<shared::Span>> by_kernel_;
+  std::vector<Kernel> kernels_;
+  gpu::Buffer buffer_;
+};
+
+/// Fills a host-visible buffer, made anew only when it has been outgrown.
+void upload(gpu::Device& device, gpu::Buffer& buffer, const char* label, std::span<const std::byte> data);
+template <class T>
+void upload(gpu::Device& device, gpu::Buffer& buffer, const char* label, const std::vector<T>& data) {
+  upload(device, buffer, label, std::as_bytes(std::span(data)));
+}
+
+}  // namespace plume
+#endif
