@@ -40,7 +40,7 @@ void add_compare(CLI::App& program, Run& run) {
       ->delimiter(',')
       ->allow_extra_args(false);  // what follows is a scene
   command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")
-      ->check(CLI::Range(0, 216'000));
+      ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--frames", flags->frames, "timed repetitions of each method")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

@@ -66,7 +66,7 @@ void add_open(CLI::App& program, Run& run) {
   command
       ->add_option("--at", flags->tick,
                    "start at this tick, 1/60 s, and paused; otherwise the scene plays from its own")
-      ->check(CLI::Range(0, 216'000));
+      ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--seed", flags->seed, "instead of the scene's")
       ->check(CLI::Range(uint32_t(0), UINT32_MAX));
   command->add_option("--device", flags->device,

@@ -152,7 +152,7 @@ void add_probe(CLI::App& program, Run& run) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")
-      ->check(CLI::Range(0, 216'000));
+      ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--depths", flags->depths, "how many depths are asked for")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();

@@ -14,6 +14,7 @@
 namespace plume {
 
 constexpr int kTicksPerSecond = 60;
+constexpr uint32_t kMaxTick = 20'000'000;  ///< of anything that a file or a command line names: 3.9 days
 
 /// An inclusive range that each particle draws one value from, uniformly.
 template <class Value>
@@ -21,7 +22,7 @@ struct Range {
   Value min, max;
 };
 
-/// Births of one emitter, in ticks since the instance was called.
+/// Births of one emitter, in ticks since the instance was called; effects/spawn_schedule.h adds them up.
 struct Spawn {
   struct RateKey {
     uint32_t tick;
@@ -35,6 +36,7 @@ struct Spawn {
       rate;  ///< linear between keys; 0 before the first and after the last; ticks ascend strictly
   std::vector<Burst> bursts;  ///< ticks ascend strictly
   Range<uint32_t> life_ticks{60, 60};
+  double per_metre = 0;  ///< births for each metre that the instance travels on its path
 };
 
 /// What happens to a parent when it bears children. kLife: they come one by one while it lives.

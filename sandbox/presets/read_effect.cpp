@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "renderer/parameters.h"
 #include "sandbox/effects/spawn_schedule.h"
@@ -15,7 +16,6 @@ constexpr std::string_view kShapes[] = {"point", "sphere", "hemisphere", "box", 
 constexpr std::string_view kTextures[] = {"puff", "disc", "soft"};
 
 constexpr size_t kMaxEmitters = 64;
-constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
 constexpr Limits kRate{0, 1e6, "particles a second"};
 constexpr Limits kShare{0, 1};
 constexpr Limits kOffset{-100, 100, "m"};
@@ -46,21 +46,23 @@ void read_spawn(TableReader& spawn, Spawn& out) {
               {"count", {1, static_cast<double>(kMaxAlive), "particles"}, true}, 1, bursts);
   for (const auto& [tick, count] : bursts)
     out.bursts.push_back({static_cast<uint32_t>(tick), static_cast<uint32_t>(count)});
+  spawn.number("per_metre", out.per_metre, {0, 10'000, "particles a metre"});
   spawn.range("life", out.life_ticks, {1, 36'000, "ticks"}, Need::kRequired);
   if (spawn.mistakes() > before) return;
 
-  const SpawnSchedule schedule(out);
-  if (schedule.births_total() == 0) {
-    spawn.report("rate", "no particle is ever born, expected `rate` or `bursts` that give at least one");
-  } else if (schedule.capacity() > kMaxAlive) {
-    spawn.report(
-        spawn.has("rate") ? "rate" : "bursts",
-        fmt::format("{} particles are alive at once, expected at most {}: lower `rate`, `bursts` or `life`",
-                    schedule.capacity(), kMaxAlive));
-  } else if (schedule.births_total() > UINT32_MAX) {
-    spawn.report("rate",
-                 fmt::format("{} particles are born in all, expected at most {}: lower `rate` or `duration`",
-                             schedule.births_total(), UINT32_MAX));
+  const char* most = spawn.has("rate") ? "rate" : "bursts";
+  try {
+    const SpawnSchedule schedule(out);
+    if (schedule.births_total() == 0 && out.per_metre == 0)
+      spawn.report(
+          "rate",
+          "no particle is ever born, expected `rate`, `bursts` or `per_metre` that give at least one");
+    if (schedule.capacity() > kMaxAlive)
+      spawn.report(most,
+                   fmt::format("{} particles are alive at once, expected at most {}: lower `{}` or `life`",
+                               schedule.capacity(), kMaxAlive, most));
+  } catch (const std::overflow_error& error) {
+    spawn.report(most, fmt::format("{}: lower `{}`", error.what(), most));
   }
 }
 

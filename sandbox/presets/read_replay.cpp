@@ -15,8 +15,7 @@
 namespace plume {
 namespace {
 
-constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
-constexpr size_t kMaxMethods = 1'000;
+constexpr size_t kMaxMethods = 1'000, kMaxTicks = 1'000'000;
 
 void read_ticks(TableReader& top, std::vector<uint32_t>& ticks) {
   if (!top.is_table("ticks")) {
@@ -32,6 +31,9 @@ void read_ticks(TableReader& top, std::vector<uint32_t>& ticks) {
     table.integer("step", step, {1, kTick.max, kTick.unit});
     if (read && last < first)
       table.report("last", fmt::format("`last` is {}, expected at least `first`, {}", last, first));
+    else if (const uint32_t count = (last - first) / step + 1; read && count > kMaxTicks)
+      table.report("last",
+                   fmt::format("{} ticks are played, expected at most {}: raise `step`", count, kMaxTicks));
     else if (read)
       for (uint32_t tick = first; tick <= last; tick += step) ticks.push_back(tick);
   });

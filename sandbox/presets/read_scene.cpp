@@ -17,9 +17,8 @@ constexpr std::string_view kTonemaps[] = {"none", "aces"};
 constexpr std::string_view kSolids[] = {"plane", "box", "sphere", "capsule", "figure"};
 constexpr uint32_t kFigure = 4;
 
-constexpr size_t kMaxCameraKeys = 10'000;
+constexpr size_t kMaxCameraKeys = 10'000, kMaxPathKeys = 10'000;
 constexpr size_t kMaxSolids = 1'000, kMaxPanes = 10'000, kMaxInstances = 1'000;
-constexpr Limits kTick{0, 216'000, "ticks"};  // one hour
 constexpr Limits kSeed{0, UINT32_MAX};
 constexpr Limits kPlace{-10'000, 10'000, "m"};
 constexpr Limits kExtent{0.001, 10'000, "m"};
@@ -99,7 +98,17 @@ Instance read_instance(TableReader& table, const std::string& file) {
   table.text("name", instance.name);
   uint32_t tick = 0;
   if (table.integer("call_tick", tick, kTick)) instance.call_tick = tick;
+  if (table.integer("stop_tick", tick, kTick)) instance.stop_tick = tick;
+  if (instance.call_tick && instance.stop_tick && *instance.stop_tick <= *instance.call_tick)
+    table.report("stop_tick", fmt::format("`stop_tick` is {}, expected more than `call_tick`, {}",
+                                          *instance.stop_tick, *instance.call_tick));
   table.vector("position", instance.position, kPlace);
+  std::vector<std::pair<double, glm::vec3>> way;
+  if (table.points("path", {"tick", kTick, true}, {"[x, y, z]", kPlace}, {2, kMaxPathKeys}, way)) {
+    std::vector<Path::Key> keys;
+    for (const auto& [key, place] : way) keys.push_back({static_cast<uint32_t>(key), place});
+    instance.path.emplace(std::move(keys));
+  }
   table.number("yaw_deg", instance.yaw_deg, kAngle);
   table.integer("seed", instance.seed, kSeed);
   table.integer("draw_order", instance.draw_order, kDrawOrder);

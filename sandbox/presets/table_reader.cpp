@@ -257,6 +257,13 @@ bool TableReader::range(std::string_view key, Range<uint32_t>& value, Limits lim
   return read;
 }
 
+bool TableReader::ascends(const Column& column, const toml::node& node, double before, double value) {
+  // Curves keep floats, ticks are whole.
+  if (column.whole ? value > before : static_cast<float>(value) > static_cast<float>(before)) return true;
+  wrong(column.name, node, fmt::format("more than {}, the one before it", before));
+  return false;
+}
+
 bool TableReader::pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
                         std::vector<std::array<double, 2>>& value) {
   const std::string expected =
@@ -279,12 +286,41 @@ bool TableReader::pairs(std::string_view key, const Column& first, const Column&
     const bool has_second = read_number(second.name, (*row)[1], second.limits, second.whole, pair[1]);
     read &= has_first && has_second;
     if (!has_first) continue;
-    // As float, because that is what curves keep.
-    if (!rows.empty() && static_cast<float>(pair[0]) <= static_cast<float>(rows.back()[0])) {
-      wrong(first.name, (*row)[0], fmt::format("more than {}, the one before it", rows.back()[0]));
-      read = false;
-    }
+    if (!rows.empty()) read &= ascends(first, (*row)[0], rows.back()[0], pair[0]);
     rows.push_back(pair);
+  }
+  if (read) value = std::move(rows);
+  return read;
+}
+
+bool TableReader::points(std::string_view key, const Column& first, const Column& second, Length length,
+                         std::vector<std::pair<double, glm::vec3>>& value) {
+  const std::string row_text = fmt::format("[{}, {}]", first.name, second.name);
+  const std::string expected =
+      length.at_most == SIZE_MAX
+          ? fmt::format("a list of at least {} {}", length.at_least, row_text)
+          : fmt::format("a list of {} to {} {}", length.at_least, length.at_most, row_text);
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const toml::array* array = node->as_array();
+  if (!array || array->size() < length.at_least || array->size() > length.at_most)
+    return wrong(key, *node, expected), false;
+  std::vector<std::pair<double, glm::vec3>> rows;
+  bool read = true;
+  for (const toml::node& item : *array) {
+    const toml::array* row = item.as_array();
+    if (!row || row->size() != 2) {
+      wrong(key, item, row_text);
+      read = false;
+      continue;
+    }
+    double at = 0;
+    std::array<double, 3> v{};
+    const bool has_first = read_number(first.name, (*row)[0], first.limits, first.whole, at);
+    read &= read_numbers(key, (*row)[1], second.limits, second.whole, v) && has_first;
+    if (!has_first) continue;
+    if (!rows.empty()) read &= ascends(first, (*row)[0], rows.back().first, at);
+    rows.emplace_back(at, glm::vec3(v[0], v[1], v[2]));
   }
   if (read) value = std::move(rows);
   return read;
@@ -320,27 +356,11 @@ bool TableReader::gradient(std::string_view key, Gradient& value, Limits limits)
     value = Gradient(glm::vec3(rgb[0], rgb[1], rgb[2]));
     return true;
   }
-  std::vector<Gradient::Key> keys;
-  bool read = true;
-  for (const toml::node& item : *array) {
-    const toml::array* row = item.as_array();
-    if (!row || row->size() != 2) {
-      wrong(key, item, "[at, [r, g, b]]");
-      read = false;
-      continue;
-    }
-    double at = 0;
-    const bool has_at = read_number("at", (*row)[0], {0, 1}, false, at);
-    read &= read_numbers(key, (*row)[1], limits, false, rgb) && has_at;
-    if (!has_at) continue;
-    if (!keys.empty() && static_cast<float>(at) <= keys.back().at) {
-      wrong("at", (*row)[0], fmt::format("more than {}, the one before it", keys.back().at));
-      read = false;
-    }
-    keys.push_back({static_cast<float>(at), glm::vec3(rgb[0], rgb[1], rgb[2])});
-  }
-  if (read) value = Gradient(std::move(keys));
-  return read;
+  std::vector<std::pair<double, glm::vec3>> rows;
+  if (!points(key, {"at", {0, 1}}, {"[r, g, b]", limits}, {.at_least = 1}, rows)) return false;
+  value.keys.clear();
+  for (const auto& [at, color] : rows) value.keys.push_back({static_cast<float>(at), color});
+  return true;
 }
 
 bool TableReader::ascending(std::string_view key, std::vector<uint32_t>& value, Limits limits,

@@ -37,6 +37,7 @@ struct Limits {
   std::string_view unit = "";
 };
 
+constexpr Limits kTick{0, kMaxTick, "ticks"};
 /// Of what artists order by hand.
 constexpr Limits kDrawOrder{-1000, 1000};
 
@@ -97,6 +98,13 @@ class TableReader {
   /// [[first, second], …] where the first column ascends strictly.
   bool pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
              std::vector<std::array<double, 2>>& value);
+  /// [[first, [x, y, z]], …] where the first column ascends strictly; the second column's name is `[x, y,
+  /// z]`.
+  struct Length {
+    size_t at_least = 1, at_most = SIZE_MAX;
+  };
+  bool points(std::string_view key, const Column& first, const Column& second, Length length,
+              std::vector<std::pair<double, glm::vec3>>& value);
   using Read = std::function<void(TableReader&)>;
   bool table(std::string_view key, const Read& read, Need need = Need::kOptional);
   /// [[key]] tables; a single [key] counts as one. Calls `read` for each, in order.
@@ -117,6 +125,7 @@ class TableReader {
   bool read_number(std::string_view key, const toml::node& node, Limits limits, bool whole, double& value);
   bool read_numbers(std::string_view key, const toml::node& node, Limits limits, bool whole,
                     std::span<double> values);
+  bool ascends(const Column& column, const toml::node& node, double before, double value);
   bool read_range(std::string_view key, Limits limits, bool whole, Need need, double& min, double& max);
   void reject_unknown_keys();
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "sandbox/effects/path.h"
+
 namespace plume {
 
 enum class Material : uint32_t {
@@ -82,7 +84,9 @@ struct Instance {
   std::string effect;  ///< id of an effect
   FilePosition effect_at;
   std::optional<uint32_t> call_tick;  ///< nothing: declared but not called; costs nothing
+  std::optional<uint32_t> stop_tick;  ///< nothing is born from here on; what lives goes on
   glm::vec3 position{0.0f};
+  std::optional<Path> path;  ///< where it goes from there
   float yaw_deg = 0.0f;
   uint32_t seed = 0;
   int draw_order = 0;  ///< added to that of the effect's emitters

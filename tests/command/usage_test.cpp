@@ -122,9 +122,9 @@ TEST_F(UsageTest, BadShardSaysWhatWouldBeRight) {
 }
 
 TEST_F(UsageTest, BadNumberSaysTheRange) {
-  expect_street_refused({"--at", "soon"}, {"--at", "soon", "0 to 216000"});
-  expect_street_refused({"--at", "-1"}, {"--at", "-1", "0 to 216000"});
-  expect_street_refused({"--at", "216001"}, {"--at", "216001", "0 to 216000"});
+  expect_street_refused({"--at", "soon"}, {"--at", "soon", "0 to 20000000"});
+  expect_street_refused({"--at", "-1"}, {"--at", "-1", "0 to 20000000"});
+  expect_street_refused({"--at", "20000001"}, {"--at", "20000001", "0 to 20000000"});
   expect_street_refused({"--frames", "0"}, {"--frames", "1 to 10000"});
   expect_street_refused({"--seed", "-1"}, {"--seed", "-1", "0 to 4294967295"});
   expect_street_refused({"--seed", "4294967296"}, {"--seed", "4294967296", "0 to 4294967295"});

@@ -17,6 +17,7 @@ name = "body"
 [emitter.spawn]
 rate = [[0, 0], [30, 90.5], [60, 0]]
 bursts = [[0, 40], [10, 5]]
+per_metre = 2.5
 life = [60, 90]
 
 [emitter.shape]
@@ -77,6 +78,7 @@ TEST(EffectReader, ReadsEveryKey) {
   ASSERT_EQ(body.spawn.bursts.size(), 2u);
   EXPECT_EQ(body.spawn.bursts[1].tick, 10u);
   EXPECT_EQ(body.spawn.bursts[1].count, 5u);
+  EXPECT_EQ(body.spawn.per_metre, 2.5);
   EXPECT_EQ(body.spawn.life_ticks.min, 60u);
   EXPECT_EQ(body.spawn.life_ticks.max, 90u);
   EXPECT_EQ(body.shape.kind, ShapeKind::kCone);

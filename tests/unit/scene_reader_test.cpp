@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sandbox/effects/effect.h"
 #include "sandbox/presets/diagnostics.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/figure.h"
@@ -88,7 +89,9 @@ draw_order = -3
 name = "first"
 effect = "smoke_grenade"
 call_tick = 60
+stop_tick = 20000000
 position = [0, 0, 1]
+path = [[0, [0, 0, 0]], [30, [0.5, 0, -2]]]
 yaw_deg = 45
 seed = 7
 draw_order = 12
@@ -160,11 +163,17 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_EQ(scene.instances[0].effect, "smoke_grenade");
   EXPECT_EQ(scene.instances[0].call_tick, 60u);
   EXPECT_EQ(scene.instances[0].position, glm::vec3(0, 0, 1));
+  EXPECT_EQ(scene.instances[0].stop_tick, kMaxTick);
+  ASSERT_TRUE(scene.instances[0].path);
+  EXPECT_EQ(scene.instances[0].path->keys().size(), 2u);
+  EXPECT_EQ(scene.instances[0].path->at(15), glm::vec3(0.25f, 0, -1));
   EXPECT_EQ(scene.instances[0].yaw_deg, 45.0f);
   EXPECT_EQ(scene.instances[0].seed, 7u);
   EXPECT_EQ(scene.instances[0].draw_order, 12);
   EXPECT_EQ(scene.instances[1].name, "sparks");
   EXPECT_FALSE(scene.instances[1].call_tick.has_value());
+  EXPECT_FALSE(scene.instances[1].stop_tick.has_value());
+  EXPECT_FALSE(scene.instances[1].path.has_value());
 }
 
 TEST(SceneReader, ReadsASingleCamera) {
