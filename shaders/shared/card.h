@@ -1,5 +1,7 @@
 // A card: what every transparent thing is drawn as. A parallelogram in the world with a texture of optical
-// depth on it: a camera-facing sprite, a pane of glass, a painted quad.
+// depth on it: a camera-facing sprite, a pane of glass, a painted quad. Or the half of one: a triangle of a
+// mesh or of a ribbon, with corners (-1, -1), (1, -1) and (-1, 1) along the axes. Two halves with opposite
+// axes share their centre and are the whole.
 #ifndef PLUME_SHARED_CARD_H
 #define PLUME_SHARED_CARD_H
 
@@ -25,6 +27,15 @@ struct Card {
 
 const uint kLayerBits = 12u;
 const uint kCardSetApart = 1u << 24u;  // of a named layer: its slices are set apart from those around it
+const uint kCardTriangle = 1u << 25u;  // the half of the parallelogram where u + v <= 0
+
+#ifdef __cplusplus
+inline
+#endif
+    bool
+    is_triangle(Card card) {
+  return (card.layers & kCardTriangle) != 0u;
+}
 
 PLUME_SHARED_END
 #endif

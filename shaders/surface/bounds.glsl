@@ -10,16 +10,23 @@ struct Bounds {
   float farthest;
 };
 
-// Half extent of the parallelogram along an axis.
-float extent(Card card, vec3 axis) { return abs(dot(card.axis_u, axis)) + abs(dot(card.axis_v, axis)); }
+// How far the card reaches along an axis from its center: least and most.
+vec2 extent(Card card, vec3 axis) {
+  const float u = dot(card.axis_u, axis), v = dot(card.axis_v, axis), corner = abs(u) + abs(v), apart = abs(u - v);
+  return is_triangle(card) ? vec2(min(-u - v, -apart), max(-u - v, apart)) : vec2(-corner, corner);
+}
+
+// Of a width to both sides of an axis, how far beyond it the card begins.
+float beyond(vec2 reach, float at) { return max(at + reach.x, -at - reach.y); }
 
 Bounds bounds_of(Card card, ViewData view) {
   const vec3 arm = card.center - view.camera;
-  const float depth = dot(arm, view.forward), thick = extent(card, view.forward);
-  Bounds b = Bounds(false, max(depth - thick, view.near_m), depth + thick);
+  const float depth = dot(arm, view.forward);
+  const vec2 thick = extent(card, view.forward);
+  Bounds b = Bounds(false, max(depth + thick.x, view.near_m), depth + thick.y);
   const bool shows = card.optical_depth > 0.0 || card.emission != uvec2(0u) || (card.motion.y >> 16) != 0u;
-  const float across = abs(dot(arm, view.right)) - extent(card, view.right);
-  const float upright = abs(dot(arm, view.up)) - extent(card, view.up);
+  const float across = beyond(extent(card, view.right), dot(arm, view.right));
+  const float upright = beyond(extent(card, view.up), dot(arm, view.up));
   b.seen = shows && b.farthest > view.near_m && across < b.farthest * view.tan_half_fov.x && upright < b.farthest * view.tan_half_fov.y;
   return b;
 }

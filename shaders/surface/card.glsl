@@ -1,4 +1,5 @@
-// The vertices of every transparent draw: four a card, a triangle strip, pulled from the card buffer in the given order.
+// The vertices of every transparent draw: four a card, a triangle strip, pulled from the card buffer in the given order. A triangle
+// has its last corner twice: the strip's second half is empty.
 #ifndef PLUME_SURFACE_CARD_GLSL
 #define PLUME_SURFACE_CARD_GLSL
 #include "shared/card.h"
@@ -29,6 +30,7 @@ const vec2 kCorners[4] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 
 
 bool shows(Card card) { return card.optical_depth > 0.0 || card.emission != uvec2(0u); }
 bool bends(Card card) { return (card.motion.y >> 16) != 0u; }
+vec2 corner_of(Card card) { return kCorners[is_triangle(card) ? min(gl_VertexIndex, 2) : gl_VertexIndex]; }
 
 uint card_id() { return order[order_first + uint(int(gl_InstanceIndex) * order_step)]; }
 
@@ -43,7 +45,7 @@ void place_vertex(Card card, uint id, vec2 uv) {
 void place_nothing() { gl_Position = vec4(0.0, 0.0, -1.0, 1.0); }   // in front of everything that is drawn: clipped
 
 void place_card(Card card, uint id, bool drawn) {
-  if (drawn) place_vertex(card, id, kCorners[gl_VertexIndex]);
+  if (drawn) place_vertex(card, id, corner_of(card));
   else place_nothing();
 }
 

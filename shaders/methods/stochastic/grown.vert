@@ -4,7 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/card.glsl"
 
-layout(location = 7) flat out vec3 v_inverse_depth;   // 1/m: at the middle of the picture, and how it grows to the right and down
+// 1/m: at the middle of the picture, and how it grows to the right and down; a: the most of u + v on the card
+layout(location = 7) flat out vec4 v_inverse_depth;
 
 const float kLeastCosine = 0.05;   // cards seen from the side more than that are grown by less than a pixel
 
@@ -17,11 +18,18 @@ void main() {
   }
   const vec3 normal = cross(card.axis_u, card.axis_v);
   const vec2 slope = vec2(dot(view.right, normal), -dot(view.up, normal)) * view.tan_half_fov;
-  v_inverse_depth = vec3(dot(view.forward, normal), slope) / dot(card.center - view.camera, normal);
-  const vec2 uv = kCorners[gl_VertexIndex];
+  v_inverse_depth = vec4(vec3(dot(view.forward, normal), slope) / dot(card.center - view.camera, normal), is_triangle(card) ? 0.0 : 2.0);
+  const vec2 uv = corner_of(card);
   const vec3 arm = card.center + card.axis_u * uv.x + card.axis_v * uv.y - view.camera;
   const float pixel_m = abs(dot(arm, view.forward)) * 2.0 * view.tan_half_fov.y / float(view.size.y);
   const float cosine = abs(dot(normalize(normal), normalize(arm)));
-  const vec2 half_size = max(vec2(length(card.axis_u), length(card.axis_v)), vec2(1e-4));
-  place_vertex(card, id, uv * (1.0 + pixel_m / max(cosine, kLeastCosine) / half_size));
+  const float grown_m = pixel_m / max(cosine, kLeastCosine);
+  // Metres from the middle to the sides, across them: those along v, those along u, and the long one of a triangle.
+  const vec3 sides = vec3(length(card.axis_v), length(card.axis_u), length(card.axis_u - card.axis_v));
+  const vec3 grown = grown_m / max(length(normal) / max(sides, vec3(1e-9)), vec3(1e-4));
+  vec2 place = uv * (1.0 + grown.xy);
+  // The ends of the long side go on until they meet the other two, which have moved.
+  if (is_triangle(card) && uv.x > 0.0) place.x = 1.0 + grown.y + grown.z;
+  if (is_triangle(card) && uv.y > 0.0) place.y = 1.0 + grown.x + grown.z;
+  place_vertex(card, id, place);
 }

@@ -3,9 +3,11 @@
 #ifndef PLUME_STOCHASTIC_PLANE_DEPTH_GLSL
 #define PLUME_STOCHASTIC_PLANE_DEPTH_GLSL
 
-layout(location = 7) flat in vec3 v_inverse_depth;
+layout(location = 7) flat in vec4 v_inverse_depth;   // a: the most of u + v on the card
 
-bool on_card() { return all(lessThanEqual(abs(v_uv_depth.xy), vec2(1.0))); }   // and not on what it was grown by
+bool on_card() {   // and not on what it was grown by
+  return all(lessThanEqual(abs(v_uv_depth.xy), vec2(1.0))) && v_uv_depth.x + v_uv_depth.y <= v_inverse_depth.a;
+}
 
 float plane_depth() {
   precise const vec2 ndc = gl_FragCoord.xy / vec2(view.size) * 2.0 - 1.0;

@@ -1,5 +1,6 @@
 // Which cards join the tiles, and their sort keys: view depth as an unsigned integer of the same order; the value is the card's
-// index. A card joins when it faces the camera, so that one depth holds all over it. What is tilted is drawn and captured instead.
+// index. A card joins when it faces the camera, so that one depth holds all over it, and is a whole parallelogram. What is tilted
+// and what is a triangle is drawn and captured instead.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/tile_sorted/tile_sorted.h"
@@ -19,7 +20,8 @@ layout(push_constant) uniform Push { uint count; };
 const float kFacing = 1e-5;   // of a card's size: what it may lean, above rounding
 
 bool faces_camera(Card card) {
-  return abs(dot(card.axis_u, view.forward)) <= kFacing * length(card.axis_u) &&
+  return (card.layers & kCardTriangle) == 0u &&
+         abs(dot(card.axis_u, view.forward)) <= kFacing * length(card.axis_u) &&
          abs(dot(card.axis_v, view.forward)) <= kFacing * length(card.axis_v);
 }
 
