@@ -135,7 +135,7 @@ class AvboitDolly : public AvboitHardCases {
 };
 
 TEST_F(AvboitDolly, DoesNotChangeTheColourOfACard) {
-  Stage stage(device, pipelines, library, library.scene("hard_cards"));
+  Stage stage(device, pipelines, library, library.scene("card_dolly"));
   const Targets targets(device, {64, 36});
   MethodInstance reference = instance("reference"), avboit = instance("avboit");
   Swing swing;
@@ -199,7 +199,7 @@ TEST_F(AvboitHardCases, FireBehindGlassKeepsItsHue) {
 }
 
 TEST_F(AvboitHardCases, TwoPanesAreRightInRgbAndWrongWhenSkewed) {
-  Stage stage(device, pipelines, library, library.scene("hard_panes"));
+  Stage stage(device, pipelines, library, library.scene("two_panes"));
   const glm::uvec2 picture{128, 72};
   const DrawnPicture exact = draw(stage, 0, picture, "reference");
   const auto worst = [&](const std::map<std::string, std::string>& settings) {

@@ -94,12 +94,12 @@ TEST_F(AvboitVariants, ChromaticModesImproveWithWhatTheyPay) {
 TEST_F(AvboitVariants, SkewMixesPanesOfOneSliceAndSaysSo) {
   for (const char* layers : {"0", "4"}) {
     SCOPED_TRACE(layers);
-    const auto [rgb, rgb_statistics] = error("hard_panes", {{"exact_layers", layers}});
+    const auto [rgb, rgb_statistics] = error("two_panes", {{"exact_layers", layers}});
     const auto [skew, statistics] =
-        error("hard_panes",
+        error("two_panes",
               {{"colour", "skew"}, {"skew_guard", "false"}, {"exact_layers", layers}, {"slices", "32"}});
     const double guarded =
-        error("hard_panes", {{"colour", "skew"}, {"exact_layers", layers}, {"slices", "32"}}).first;
+        error("two_panes", {{"colour", "skew"}, {"exact_layers", layers}, {"slices", "32"}}).first;
     EXPECT_LT(rgb, 0.005);
     EXPECT_GT(skew, 10 * rgb);
     EXPECT_LT(guarded, skew);

@@ -224,7 +224,7 @@ TEST_F(WaveletsTest, CoarseCellsSeeWhatAnyOfTheirPixelsSees) {
 class WaveletsDolly : public WaveletsTest {
  protected:
   int swing_of(std::string_view id, const Map& settings) {
-    Stage stage(device, pipelines, library, library.scene("hard_cards"));
+    Stage stage(device, pipelines, library, library.scene("card_dolly"));
     const Targets targets(device, {64, 36});
     MethodInstance reference = instance("reference"), method = instance(id, settings);
     constexpr int kSteps = 25;
