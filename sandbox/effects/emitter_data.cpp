@@ -1,5 +1,6 @@
 #include "sandbox/effects/emitter_data.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sandbox/effects/lineage.h"
@@ -26,6 +27,13 @@ uint32_t features_of(const Motion& motion) {
 }
 
 }  // namespace
+
+float camera_offset_m(const Call& call, const Emitter& emitter) {
+  const auto here = std::ranges::find(call.layers, emitter.look.layer, &Layer::name);
+  const auto own = std::ranges::find(call.effect->layers, emitter.look.layer, &Layer::name);
+  if (here == call.layers.end() || own == call.effect->layers.end()) return emitter.look.camera_offset_m;
+  return emitter.look.camera_offset_m + here->camera_offset_m - own->camera_offset_m;
+}
 
 shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scene_seed, glm::vec3 wind) {
   const Emitter& emitter = call.effect->emitters[index];
@@ -72,7 +80,7 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .radius_scale_max = look.radius_scale.max,
           .cross_section = look.cross_section_m2.value_or(0.0f),
           .inv_feather = inverse_or_zero(look.feather_m),
-          .camera_offset = look.camera_offset_m,
+          .camera_offset = camera_offset_m(call, emitter),
           .frames_per_tick = look.flipbook_fps / float(kTicksPerSecond),
           .spin_min = glm::radians(look.spin_deg_s.min),
           .spin_max = glm::radians(look.spin_deg_s.max),

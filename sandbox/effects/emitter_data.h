@@ -17,8 +17,12 @@ struct Call {
   glm::vec3 position;
   float yaw_deg;
   uint32_t seed;
-  int draw_order = 0;  ///< added to that of its emitters
+  int draw_order = 0;         ///< added to that of its emitters
+  std::vector<Layer> layers;  ///< instead of the effect's of the same name
 };
+
+/// Metres towards the camera by which an emitter of a call is drawn nearer than it is.
+float camera_offset_m(const Call& call, const Emitter& emitter);
 
 shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind);
 

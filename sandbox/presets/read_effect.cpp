@@ -18,7 +18,6 @@ constexpr std::string_view kTextures[] = {"puff", "disc", "soft"};
 constexpr size_t kMaxEmitters = 64;
 constexpr Limits kRate{0, 1e6, "particles a second"};
 constexpr Limits kShare{0, 1};
-constexpr Limits kOffset{-100, 100, "m"};
 constexpr Limits kRadiance{0, 10'000};
 
 void read_rate(TableReader& spawn, Spawn& out) {
@@ -148,7 +147,7 @@ void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
     look.report("distortion_deg",
                 "an emitter that distorts also covers or shines, expected `opacity` = 0 and no `emission`: "
                 "give the haze an emitter of its own");
-  look.number("camera_offset_m", out.camera_offset_m, kOffset);
+  look.number("camera_offset_m", out.camera_offset_m, kCameraOffset);
   read_layer(look, layers, out);
   look.number("flipbook_fps", out.flipbook_fps, {0, 240, "frames a second"});
   look.range("spin_deg_s", out.spin_deg_s, {-3600, 3600, "degrees a second"});
@@ -167,7 +166,7 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
     top.tables("layer", kMaxEmitters, [&](TableReader& table) {
       Layer layer;
       table.text("name", layer.name, Need::kRequired);
-      table.number("camera_offset_m", layer.camera_offset_m, kOffset, Need::kRequired);
+      table.number("camera_offset_m", layer.camera_offset_m, kCameraOffset, Need::kRequired);
       if (std::ranges::find(effect.layers, layer.name, &Layer::name) != effect.layers.end())
         table.report("name",
                      fmt::format("a second layer is named \"{}\", expected a name of its own", layer.name));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "renderer/parameters.h"
 #include "sandbox/presets/library.h"
 #include "sandbox/presets/table_reader.h"
 #include "sandbox/scene/figure.h"
@@ -112,7 +113,27 @@ Instance read_instance(TableReader& table, const std::string& file) {
   table.number("yaw_deg", instance.yaw_deg, kAngle);
   table.integer("seed", instance.seed, kSeed);
   table.integer("draw_order", instance.draw_order, kDrawOrder);
+  table.table("layers", [&](TableReader& layers) {
+    for (const std::string& name : layers.keys()) {
+      const toml::source_position place = layers.position(name);
+      LayerOffset layer{.layer = name, .at = {file, place.line, place.column}};
+      if (layers.number(name, layer.camera_offset_m, kCameraOffset))
+        instance.layers.push_back(std::move(layer));
+    }
+  });
   return instance;
+}
+
+void check_layers(const Instance& instance, const Effect& effect, std::vector<Diagnostic>& found) {
+  std::vector<std::string> names;
+  for (const Layer& layer : effect.layers) names.push_back(layer.name);
+  for (const auto& [name, offset, at] : instance.layers) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    const std::string right = names.empty()
+                                  ? fmt::format("expected no `layers`: effect `{}` has none", effect.id)
+                                  : fmt::format("{} (of effect `{}`)", suggestion(name, names), effect.id);
+    found.push_back({at.file, at.line, at.column, fmt::format("unknown layer `{}`, {}", name, right)});
+  }
 }
 
 }  // namespace
@@ -189,9 +210,12 @@ std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary
   std::vector<Diagnostic> found;
   for (const Instance& instance : scene.instances) try {
       library.find(PresetKind::kEffect, instance.effect);
+      if (!instance.layers.empty()) check_layers(instance, library.effect(instance.effect), found);
     } catch (const PresetError& error) {
       found.push_back(
           {instance.effect_at.file, instance.effect_at.line, instance.effect_at.column, error.what()});
+    } catch (const FileErrors&) {
+      // Whatever is wrong in an effect is reported when that is read.
     }
   return found;
 }

@@ -93,7 +93,13 @@ const toml::node* TableReader::find(std::string_view key, Need need, const std::
 }
 
 void TableReader::wrong(std::string_view key, const toml::node& node, const std::string& expected) {
-  report(start_of(node), fmt::format("`{}` is {}, expected {}", key, shown_value(node), expected));
+  report(start_of(node), fmt::format("`{}` is {}, expected {}", printable(key), shown_value(node), expected));
+}
+
+std::vector<std::string> TableReader::keys() const {
+  std::vector<std::string> keys;
+  for (auto&& [key, node] : table_) keys.emplace_back(key.str());
+  return keys;
 }
 
 bool TableReader::is_array(std::string_view key) const {

@@ -40,6 +40,7 @@ struct Limits {
 constexpr Limits kTick{0, kMaxTick, "ticks"};
 /// Of what artists order by hand.
 constexpr Limits kDrawOrder{-1000, 1000};
+constexpr Limits kCameraOffset{-100, 100, "m"};
 
 enum class Need { kOptional, kRequired };
 
@@ -63,6 +64,7 @@ class TableReader {
   TableReader(const toml::table& table, std::string name, std::string file, std::vector<Diagnostic>& found);
 
   bool has(std::string_view key) const { return table_.contains(key); }
+  std::vector<std::string> keys() const;
   bool is_array(std::string_view key) const;
   bool is_table(std::string_view key) const;
 

@@ -79,6 +79,13 @@ struct FilePosition {
   uint32_t line = 1, column = 1;
 };
 
+/// What a scene says of a layer of an effect: its camera offset here, instead of the effect's.
+struct LayerOffset {
+  std::string layer;
+  float camera_offset_m = 0.0f;
+  FilePosition at;
+};
+
 struct Instance {
   std::string name;
   std::string effect;  ///< id of an effect
@@ -90,6 +97,7 @@ struct Instance {
   float yaw_deg = 0.0f;
   uint32_t seed = 0;
   int draw_order = 0;  ///< added to that of the effect's emitters
+  std::vector<LayerOffset> layers;
 };
 
 struct Scene {

@@ -26,13 +26,16 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
     if (!instance.call_tick) continue;
     auto [effect, added] = effects_.try_emplace(instance.effect);
     if (added) effect->second = library.effect(instance.effect);
+    std::vector<Layer> layers;
+    for (const LayerOffset& layer : instance.layers) layers.push_back({layer.layer, layer.camera_offset_m});
     calls.push_back({.name = instance.name,
                      .effect = &effect->second,
                      .tick = *instance.call_tick,
                      .position = instance.position,
                      .yaw_deg = instance.yaw_deg,
                      .seed = instance.seed,
-                     .draw_order = instance.draw_order});
+                     .draw_order = instance.draw_order,
+                     .layers = std::move(layers)});
   }
   simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind);
   for (const Pane& pane : scene_.panes)

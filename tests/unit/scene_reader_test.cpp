@@ -4,6 +4,7 @@
 
 #include "sandbox/effects/effect.h"
 #include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/library.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/figure.h"
 
@@ -95,6 +96,9 @@ path = [[0, [0, 0, 0]], [30, [0.5, 0, -2]]]
 yaw_deg = 45
 seed = 7
 draw_order = 12
+[instance.layers]
+core = 1.5
+smoke = -0.25
 [[instance]]
 effect = "sparks"
 )";
@@ -170,6 +174,11 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_EQ(scene.instances[0].yaw_deg, 45.0f);
   EXPECT_EQ(scene.instances[0].seed, 7u);
   EXPECT_EQ(scene.instances[0].draw_order, 12);
+  ASSERT_EQ(scene.instances[0].layers.size(), 2u);
+  EXPECT_EQ(scene.instances[0].layers[0].layer, "core");
+  EXPECT_EQ(scene.instances[0].layers[0].camera_offset_m, 1.5f);
+  EXPECT_EQ(scene.instances[0].layers[1].layer, "smoke");
+  EXPECT_EQ(scene.instances[0].layers[1].camera_offset_m, -0.25f);
   EXPECT_EQ(scene.instances[1].name, "sparks");
   EXPECT_FALSE(scene.instances[1].call_tick.has_value());
   EXPECT_FALSE(scene.instances[1].stop_tick.has_value());
@@ -181,6 +190,25 @@ TEST(SceneReader, ReadsASingleCamera) {
       read_scene_text("name = 'x'\n[camera]\nposition = [0, 0, 1]\ntarget = [0, 0, 0]\n", "x.toml");
   ASSERT_EQ(scene.camera.size(), 1u);
   EXPECT_EQ(scene.camera[0].position, glm::vec3(0, 0, 1));
+}
+
+TEST(SceneReader, ALayerThatTheEffectDoesNotHaveIsToldWhichItHas) {
+  const PresetLibrary library(PLUME_SOURCE_PRESETS);
+  const auto message = [&](const std::string& effect, const std::string& layer) {
+    const std::string text =
+        "name = 'x'\n[camera]\nposition = [0, 0, 1]\ntarget = [0, 0, 0]\n[[instance]]\neffect = '" + effect +
+        "'\n[instance.layers]\n" + layer + " = 0.5\n";
+    const auto found = check_references(read_scene_text(text, "x.toml"), library);
+    return found.empty() ? "" : to_string(found[0]);
+  };
+  EXPECT_EQ(message("marker", "plate"), "");
+  EXPECT_EQ(message("marker", "plat"),
+            "x.toml:8:8: unknown layer `plat`, did you mean `plate`? (of effect `marker`)");
+  EXPECT_EQ(message("marker", "hat_and_coat"),
+            "x.toml:8:16: unknown layer `hat_and_coat`, expected one of `plate`, `bar`, `icon` (of effect "
+            "`marker`)");
+  EXPECT_EQ(message("dust", "plate"),
+            "x.toml:8:9: unknown layer `plate`, expected no `layers`: effect `dust` has none");
 }
 
 TEST(SceneReader, TurnsAFigureIntoSolids) {
