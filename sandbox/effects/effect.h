@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sandbox/effects/curve.h"
+#include "sandbox/effects/field_grid.h"
 
 namespace plume {
 
@@ -47,10 +49,10 @@ struct Parent {
   std::string emitter;  ///< of the same effect, earlier in the file
   uint32_t index = 0;   ///< of that emitter
   BirthEvent event = BirthEvent::kBirth;
-  uint32_t count = 1;            ///< children a parent; kCollision: a collision; kLife: follows from the life
-  uint32_t collisions = 1;       ///< kCollision: how many of them bear
-  uint32_t first_tick = 0;       ///< kLife: age of the parent at which the first child comes
-  uint32_t every_ticks = 1;      ///< kLife: between children
+  uint32_t count = 1;        ///< children a parent; kCollision: a collision; kLife: follows from the life
+  uint32_t collisions = 1;   ///< kCollision: how many of them bear
+  uint32_t first_tick = 0;   ///< kLife: age of the parent at which the first child comes
+  uint32_t every_ticks = 1;  ///< kLife: between children
   float inherit_velocity = 0.0f;  ///< share of the parent's
 
   /// Children that one parent of a life of at most so many ticks can have.
@@ -88,6 +90,60 @@ struct Vortex {
   float pull = 0.0f;  ///< m/s^2 towards the axis
 };
 
+/// Pulls towards the nearest point of a segment, or to a point where both ends are the same: a softened point
+/// mass.
+struct Attractor {
+  glm::vec3 from_m{0.0f}, to_m{0.0f};
+  float strength = 0.0f;  ///< m/s^2 at the radius, towards it; negative repels
+  float radius_m = 1.0f;  ///< inside, it softens to 0
+};
+
+/// Vectors on a grid that stands around the emitter: presets/fields/*.fga.
+struct VectorField {
+  enum class Use : uint32_t {
+    kForce,    ///< m/s^2
+    kVelocity  ///< m/s, added to the wind that drag pulls to
+  };
+  std::string id;
+  std::shared_ptr<const FieldGrid> grid;
+  Use use = Use::kForce;
+  float strength = 1.0f;  ///< times the file's vectors
+  float scale = 1.0f;     ///< metres per unit of the file's bounds
+  glm::vec3 offset_m{0.0f};
+};
+
+/// Where particles end.
+struct KillVolume {
+  enum class Kind : uint32_t { kBox, kSphere, kPlane };
+  Kind kind = Kind::kBox;
+  glm::vec3 position_m{0.0f};          ///< centre; plane: a point on it
+  glm::vec3 size_m{1.0f};              ///< box, full extents
+  float radius_m = 0.5f;               ///< sphere
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< plane: what is behind it dies
+  bool outside = false;                ///< box, sphere: what is not inside dies
+};
+
+enum class CollisionResponse : uint32_t { kBounce, kSlide, kDie, kStick };
+
+/// With the scene's solids; a particle meets them as a ball.
+struct Collision {
+  CollisionResponse response = CollisionResponse::kBounce;
+  float bounce = 0.0f;       ///< share of the normal speed that is left: the coefficient of restitution
+  float friction = 0.0f;     ///< Coulomb's coefficient
+  float radius_m = 0.0f;     ///< of the particle's body
+  float event_speed = 0.5f;  ///< m/s: slower impacts are no collision events
+};
+
+/// Curl noise that moves what is drawn and leaves the state alone.
+struct Displacement {
+  float amplitude_m = 0.0f;
+  float scale_m = 1.0f;  ///< wavelength
+  float speed = 0.0f;    ///< wavelengths per second the field drifts upwards
+  uint32_t octaves = 1;  ///< 1..3
+  float grow_s = 0.0f;   ///< age at which it has its full amplitude
+};
+
+/// Places and directions are in the emitter's frame: about its origin, turned with the instance.
 struct Motion {
   Range<float> speed{0.0f, 0.0f};  ///< m/s along the shape's outward direction
   glm::vec3 velocity{0.0f};        ///< m/s added at birth
@@ -99,6 +155,12 @@ struct Motion {
   float floor_y = -1e30f;          ///< metres in world space: particles stop falling there (ground plane)
   Curl curl;
   Vortex vortex;
+  float orbit = 0.0f;  ///< revolutions/s about +y through the origin: turns position and velocity
+  std::vector<Attractor> attractors;
+  std::optional<VectorField> field;
+  std::vector<KillVolume> kill;
+  std::optional<Collision> collision;
+  Displacement curl_displacement;
 };
 
 enum class TextureKind : uint32_t { kPuff, kDisc, kSoft };

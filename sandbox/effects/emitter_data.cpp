@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sandbox/effects/lineage.h"
+#include "sandbox/effects/motion_tables.h"
 #include "shaders/shared/hash.h"
 
 namespace plume {
@@ -19,11 +20,6 @@ uint32_t hash_text(const std::string& text) {
 
 float inverse_or_zero(float value) {
   return value > 0.0f ? 1.0f / value : 0.0f;
-}
-
-uint32_t features_of(const Motion& motion) {
-  return (motion.curl.strength != 0.0f ? shared::kUsesCurl : 0) |
-         (motion.vortex.strength != 0.0f || motion.vortex.pull != 0.0f ? shared::kUsesVortex : 0);
 }
 
 }  // namespace
@@ -47,13 +43,20 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
   const uint32_t seed = shared::hash_pair(hash_text(call.effect->id + "/" + name),
                                           shared::hash_pair(hash_text(call.name) ^ call.seed, scene_seed));
   const glm::vec3 origin = call.position + turn(shape.offset_m);
+  const double orbit_angle = glm::radians(360.0 * double(motion.orbit) / kTicksPerSecond);
+  const Collision collision = motion.collision.value_or(Collision{});
+  const Displacement& displacement = motion.curl_displacement;
   return {.seed = seed,
           .shape = uint32_t(shape.kind),
           .life_min = spawn.life_ticks.min,
           .life_max = spawn.life_ticks.max,
           .curl_octaves = motion.curl.strength != 0.0f ? motion.curl.octaves : 0,
           .texture_kind = uint32_t(look.texture),
-          .flags = (look.lit ? shared::kEmitterLit : 0) | (look.layer.empty() ? 0 : shared::kEmitterSetApart),
+          .flags = (look.lit ? shared::kEmitterLit : 0) |
+                   (look.layer.empty() ? 0 : shared::kEmitterSetApart) |
+                   (motion.field && motion.field->use == VectorField::Use::kVelocity
+                        ? shared::kEmitterFieldIsVelocity
+                        : 0),
           .origin = origin,
           .yaw_sin = yaw_sin,
           .size = shape.size_m,
@@ -76,6 +79,20 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .vortex_strength = motion.vortex.strength,
           .vortex_inv_radius = inverse_or_zero(motion.vortex.radius_m),
           .vortex_pull = motion.vortex.pull,
+          .orbit_sin = float(std::sin(orbit_angle)),
+          .orbit_cos_less = float(std::cos(orbit_angle) - 1.0),
+          .field_strength = motion.field ? motion.field->strength : 0.0f,
+          .response = uint32_t(collision.response),
+          .restitution = collision.bounce,
+          .friction = collision.friction,
+          .body_radius = collision.radius_m,
+          .event_speed = collision.event_speed,
+          .displacement_m = displacement.amplitude_m,
+          .displacement_inv_m = inverse_or_zero(displacement.scale_m),
+          .displacement_speed = displacement.speed,
+          .displacement_per_tick =
+              displacement.grow_s > 0.0f ? 1.0f / (displacement.grow_s * float(kTicksPerSecond)) : 1.0f,
+          .displacement_octaves = displacement.amplitude_m != 0.0f ? displacement.octaves : 0,
           .radius_scale_min = look.radius_scale.min,
           .radius_scale_max = look.radius_scale.max,
           .cross_section = look.cross_section_m2.value_or(0.0f),
@@ -101,11 +118,12 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .path_count = 0};
 }
 
-uint32_t features_of(const Effect& effect, uint32_t index) {
-  const Emitter* emitter = &effect.emitters[index];
-  uint32_t features = features_of(emitter->motion);
-  for (; emitter->parent; emitter = &effect.emitters[emitter->parent->index])
-    features |= shared::kUsesLineage | features_of(effect.emitters[emitter->parent->index].motion);
+uint32_t features_of(const Call& call, uint32_t index) {
+  const std::vector<Emitter>& emitters = call.effect->emitters;
+  const Emitter* emitter = &emitters[index];
+  uint32_t features = features_of(*emitter) | (call.path ? shared::kUsesPath : 0);
+  for (; emitter->parent; emitter = &emitters[emitter->parent->index])
+    features |= shared::kUsesLineage | features_of(emitters[emitter->parent->index]);
   return features;
 }
 

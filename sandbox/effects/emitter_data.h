@@ -5,6 +5,7 @@
 #include <array>
 
 #include "sandbox/effects/effect.h"
+#include "sandbox/effects/path.h"
 #include "shaders/shared/particle.h"
 
 namespace plume {
@@ -24,10 +25,11 @@ struct Call {
 /// Metres towards the camera by which an emitter of a call is drawn nearer than it is.
 float camera_offset_m(const Call& call, const Emitter& emitter);
 
+/// All but the ranges that MotionTables fill in.
 shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind);
 
 /// What moving the particles of an emitter takes, with that of its ancestors: kUses...
-uint32_t features_of(const Effect& effect, uint32_t emitter);
+uint32_t features_of(const Call& call, uint32_t emitter);
 
 using CurveTable = std::array<glm::vec4, shared::kCurvesPerEmitter * shared::kCurveSamples>;
 /// The curves of an emitter, sampled evenly over normalised life; rows as shaders/shared/particle.h says.

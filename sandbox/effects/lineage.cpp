@@ -5,15 +5,14 @@ namespace plume {
 Lineage lineage_of(const std::vector<Emitter>& emitters, uint32_t index) {
   const Emitter* emitter = &emitters.at(index);
   Lineage lineage;
-  uint32_t life = emitter->spawn.life_ticks.max;
+  lineage.life = emitter->spawn.life_ticks.max;
   for (; emitter->parent; emitter = &emitters.at(emitter->parent->index)) {
     const uint32_t of_parent = emitters.at(emitter->parent->index).spawn.life_ticks.max;
     lineage.per_root *= emitter->parent->children(of_parent);
-    life += of_parent;
+    lineage.life += of_parent;
     ++lineage.generation;
   }
   lineage.spawn = emitter->spawn;
-  lineage.spawn.life_ticks = {life, life};
   return lineage;
 }
 

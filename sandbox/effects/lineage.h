@@ -1,4 +1,5 @@
-// Emitters whose particles are born of other particles: how many a root bears, and how long all of that lives.
+// Emitters whose particles are born of other particles: how many a root bears, and how long all of that
+// lives.
 #ifndef PLUME_EFFECTS_LINEAGE_H
 #define PLUME_EFFECTS_LINEAGE_H
 
@@ -8,8 +9,9 @@ namespace plume {
 
 /// Of one emitter: the ancestor with a rate, and what each of its births leads to.
 struct Lineage {
-  Spawn spawn;             ///< of that root, with the longest life of the whole lineage, its own included
-  uint64_t per_root = 1;   ///< particles of the emitter for each birth of the root
+  Spawn spawn;              ///< of that root
+  uint64_t per_root = 1;    ///< particles of the emitter for each birth of the root
+  uint32_t life = 0;        ///< ticks at most from such a birth to the end of all of it
   uint32_t generation = 0;  ///< ancestors above
 };
 

@@ -27,6 +27,13 @@ KernelPush push_of(const SpanList::Kernel& kernel) {
   return {.threads = kernel.threads, .first_span = kernel.first_span, .spans = kernel.spans};
 }
 
+SpawnSchedule schedule_of(const Call& call, const Lineage& lineage) {
+  return SpawnSchedule(lineage.spawn, {.path = call.path ? &*call.path : nullptr,
+                                       .stop_tick = call.stop_tick ? *call.stop_tick - call.tick : UINT32_MAX,
+                                       .per_root = lineage.per_root,
+                                       .life = lineage.life});
+}
+
 Source source_of(const Look& look) {
   return look.distortion_deg > 0.0f ? Source::kHaze : plume::source_of(look.transmission);
 }
@@ -34,8 +41,8 @@ Source source_of(const Look& look) {
 }  // namespace
 
 Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls,
-                       uint32_t scene_seed, glm::vec3 wind)
-    : device_(device), pipelines_(pipelines) {
+                       uint32_t scene_seed, glm::vec3 wind, const std::vector<Solid>& solids)
+    : device_(device), pipelines_(pipelines), tables_(solids) {
   struct Member {
     uint32_t call, index;
     Source source;
@@ -63,20 +70,21 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
     emitters_.push_back({.call = call,
                          .index = index,
                          .source = source,
-                         .features = features_of(*state.call.effect, index),
-                         .schedule = SpawnSchedule(lineage.spawn),
-                         .per_root = uint32_t(lineage.per_root),
-                         .longest_life = lineage.spawn.life_ticks.max,
+                         .features = features_of(state.call, index),
+                         .schedule = schedule_of(state.call, lineage),
+                         .lineage = lineage,
                          .data = emitter_data(state.call, index, scene_seed, wind),
                          .curves = bake_curves(emitters[index].look)});
+    tables_.fill(emitters[index], emitters_.back().data);
     state.last_tick = std::max(state.last_tick, emitters_.back().schedule.last_tick());
   }
+  if (!emitters_.empty()) tables_.upload(device);
 }
 
 /// Its own tick when it is awake at `tick` of the scene.
 std::optional<uint32_t> Simulation::wanted_tick(const EmitterState& emitter, uint32_t tick) const {
   const std::optional<uint32_t> local = calls_[emitter.call].clock.local(tick);
-  if (!local || emitter.births(*local) == emitter.first_alive(*local)) return {};
+  if (!local || emitter.schedule.births(*local) == emitter.schedule.first_alive(*local)) return {};
   return local;
 }
 
@@ -119,10 +127,16 @@ void Simulation::fill_tables() {
     if (known[i]) emitters_[i].place = places++;
   std::vector<shared::EmitterData> data;
   std::vector<glm::vec4> curves;
+  std::vector<shared::PathKey> paths;
   for (size_t i = 0; i < emitters_.size(); ++i) {
     if (!known[i]) continue;
     const EmitterState& emitter = emitters_[i];
     data.push_back(emitter.data);
+    if (const auto& path = calls_[emitter.call].call.path) {
+      data.back().path_first = uint32_t(paths.size());
+      data.back().path_count = uint32_t(path->keys().size());
+      for (const Path::Key& key : path->keys()) paths.push_back({float(key.tick), key.position});
+    }
     if (const auto& parent = calls_[emitter.call].call.effect->emitters[emitter.index].parent)
       data.back().parent = emitter_of(emitter.call, parent->index).place;
     curves.insert(curves.end(), emitter.curves.begin(), emitter.curves.end());
@@ -130,7 +144,14 @@ void Simulation::fill_tables() {
   if (data.empty()) return;
   upload(device_, emitter_data_, "emitters", data);
   upload(device_, curves_, "curves", curves);
-  upload(device_, path_keys_, "path keys", std::vector<shared::PathKey>(1));
+  if (paths.empty()) paths.push_back({});  // a descriptor needs something to point at
+  upload(device_, path_keys_, "path keys", paths);
+}
+
+/// Births that may be alive at the emitter's tick.
+uint32_t Simulation::living(const EmitterState& emitter) const {
+  const uint32_t tick = *emitter.wanted;
+  return uint32_t(emitter.schedule.births(tick) - emitter.schedule.first_alive(tick));
 }
 
 Span Simulation::span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const {
@@ -141,7 +162,7 @@ Span Simulation::span_of(const EmitterState& emitter, uint64_t first, uint64_t e
           .capacity = emitter.slots(),
           .first_slot = uint32_t(first % emitter.slots()),
           .tick = *emitter.wanted,
-          .per_root = emitter.per_root};
+          .per_root = uint32_t(emitter.lineage.per_root)};
 }
 
 /// Births [first, end), from their ancestors' births on.
@@ -149,12 +170,12 @@ void Simulation::add_seek(const EmitterState& emitter, uint64_t first, uint64_t 
   if (first == end) return;
   Span span = span_of(emitter, first, end);
   span.births_base = uint32_t(births_.size());
-  span.births_tick = emitter.schedule.birth_tick(first / emitter.per_root);
+  span.births_tick = emitter.schedule.birth_tick(first);
   span.births_count = span.tick - span.births_tick + 1;
-  births_.push_back(span.births_tick == 0 ? 0 : uint32_t(emitter.schedule.births(span.births_tick - 1)));
-  for (uint32_t tick = span.births_tick; tick <= span.tick; ++tick)
-    births_.push_back(uint32_t(emitter.schedule.births(tick)));
-  seeks_.add(emitter.features, span);
+  const auto roots = [&](uint32_t tick) { return uint32_t(emitter.schedule.births(tick) / span.per_root); };
+  births_.push_back(span.births_tick == 0 ? 0 : roots(span.births_tick - 1));
+  for (uint32_t tick = span.births_tick; tick <= span.tick; ++tick) births_.push_back(roots(tick));
+  seeks_.add(emitter.features & ~shared::kUsesDisplacement, span);
 }
 
 /// Which births are stepped and which are sought so that every emitter reaches what is wanted of it.
@@ -163,18 +184,18 @@ void Simulation::plan() {
   for (EmitterState& emitter : emitters_) {
     if (!emitter.wanted) continue;
     const uint32_t tick = *emitter.wanted;
-    const uint64_t first = emitter.first_alive(tick), end = emitter.births(tick);
-    living_.add(0, span_of(emitter, first, end));
+    const uint64_t first = emitter.schedule.first_alive(tick), end = emitter.schedule.births(tick);
+    living_.add(emitter.features & shared::kUsesDisplacement, span_of(emitter, first, end));
     emitter.ticks = emitter.dispatches = 0;
     if (emitter.reached == tick) continue;
     uint64_t fresh = first;  // those after it come by seeking
     if (tick > 0 && emitter.reached == tick - 1) {
-      fresh = std::max(first, emitter.births(tick - 1));
-      steps_.add(emitter.features, span_of(emitter, first, fresh));
+      fresh = std::max(first, emitter.schedule.births(tick - 1));
+      steps_.add(emitter.features & ~shared::kUsesDisplacement, span_of(emitter, first, fresh));
       emitter.ticks = 1;
       emitter.dispatches = fresh > first;
     } else {
-      emitter.ticks = std::min(tick + 1, emitter.longest_life);
+      emitter.ticks = std::min(tick + 1, emitter.lineage.life);
     }
     add_seek(emitter, fresh, end);
     emitter.dispatches += end > fresh;
@@ -185,14 +206,15 @@ void Simulation::plan() {
 }
 
 void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list) const {
+  gpu::Bindings bindings = tables_.bindings();
+  bindings.insert(bindings.end(), {{"Particles", &particles_},
+                                   {"Spans", &list.buffer()},
+                                   {"Emitters", &emitter_data_},
+                                   {"Births", &births_buffer_},
+                                   {"PathKeys", &path_keys_}});
   for (const SpanList::Kernel& kernel : list.kernels())
-    pass.dispatch(pipelines_.compute(shader, {kernel.id}),
-                  {{"Particles", &particles_},
-                   {"Spans", &list.buffer()},
-                   {"Emitters", &emitter_data_},
-                   {"Births", &births_buffer_},
-                   {"PathKeys", &path_keys_}},
-                  push_of(kernel), {gpu::groups(kernel.threads, kGroupSize), 1, 1});
+    pass.dispatch(pipelines_.compute(shader, {kernel.id}), bindings, push_of(kernel),
+                  {gpu::groups(kernel.threads, kGroupSize), 1, 1});
 }
 
 std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
@@ -238,7 +260,7 @@ uint32_t Simulation::cards() const {
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                               uint32_t first_card) const {
   for (const SpanList::Kernel& kernel : living_.kernels()) {
-    pass.dispatch(pipelines_.compute("effects/cards.comp"),
+    pass.dispatch(pipelines_.compute("effects/cards.comp", {kernel.id}),
                   {{"Particles", &particles_},
                    {"Spans", &living_.buffer()},
                    {"Emitters", &emitter_data_},
@@ -254,9 +276,7 @@ void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gp
 std::array<uint32_t, kSources> Simulation::cards_by_source() const {
   std::array<uint32_t, kSources> result{};
   for (const EmitterState& emitter : emitters_)
-    if (emitter.wanted)
-      result[size_t(emitter.source)] +=
-          uint32_t(emitter.births(*emitter.wanted) - emitter.first_alive(*emitter.wanted));
+    if (emitter.wanted) result[size_t(emitter.source)] += living(emitter);
   return result;
 }
 
@@ -268,7 +288,7 @@ std::vector<Simulation::EmitterCards> Simulation::cards_by_emitter() const {
     const Call& call = calls_[emitter.call].call;
     EmitterCards& cards = result[calls_[emitter.call].first_emitter + emitter.index];
     cards = {.first = first,
-             .count = uint32_t(emitter.births(*emitter.wanted) - emitter.first_alive(*emitter.wanted)),
+             .count = living(emitter),
              .origin = emitter.data.origin,
              .draw_order = call.draw_order + call.effect->emitters[emitter.index].look.draw_order};
     first += cards.count;
@@ -283,8 +303,8 @@ std::vector<Particle> Simulation::particles() const {
   const auto pool = gpu::read<Particle>(device_, particles_);
   for (const EmitterState& emitter : emitters_) {
     if (!emitter.wanted) continue;
-    for (uint64_t birth = emitter.first_alive(*emitter.wanted); birth < emitter.births(*emitter.wanted);
-         ++birth)
+    const uint64_t first = emitter.schedule.first_alive(*emitter.wanted);
+    for (uint64_t birth = first; birth < first + living(emitter); ++birth)
       result.push_back(pool[emitter.base + birth % emitter.slots()]);
   }
   return result;
@@ -299,14 +319,14 @@ uint64_t Simulation::state_hash() const {
 }
 
 void Simulation::count_demand(uint32_t tick) {
-  std::vector<uint64_t> living(calls_.size()), ticks(calls_.size()), dispatches(calls_.size());
+  std::vector<uint64_t> counts(calls_.size()), ticks(calls_.size()), dispatches(calls_.size());
   for (CallState& call : calls_) call.demand.awake = false, call.demand.bytes = 0;
   for (const EmitterState& emitter : emitters_) {
     if (!emitter.wanted) continue;
     InstanceDemand& demand = calls_[emitter.call].demand;
     demand.awake = true;
     demand.bytes += uint64_t(emitter.slots()) * sizeof(Particle);
-    living[emitter.call] += emitter.births(*emitter.wanted) - emitter.first_alive(*emitter.wanted);
+    counts[emitter.call] += living(emitter);
     ticks[emitter.call] = std::max<uint64_t>(ticks[emitter.call], emitter.ticks);
     dispatches[emitter.call] = std::max<uint64_t>(dispatches[emitter.call], emitter.dispatches);
   }
@@ -316,7 +336,7 @@ void Simulation::count_demand(uint32_t tick) {
     demand.dispatches += dispatches[i];
     demand.ticks_simulated += ticks[i];
     const std::optional<uint32_t> local = clock.local(tick);
-    demand.why = demand.awake         ? fmt::format("has {} particles", living[i])
+    demand.why = demand.awake         ? fmt::format("has {} particles", counts[i])
                  : !local             ? fmt::format("starts at tick {}", call.tick)
                  : *local > last_tick ? fmt::format("finished at tick {}", call.tick + last_tick)
                                       : "between births";

@@ -11,6 +11,8 @@
 #include "sandbox/effects/clock.h"
 #include "sandbox/effects/demand.h"
 #include "sandbox/effects/emitter_data.h"
+#include "sandbox/effects/lineage.h"
+#include "sandbox/effects/motion_tables.h"
 #include "sandbox/effects/span_list.h"
 #include "sandbox/effects/spawn_schedule.h"
 
@@ -18,9 +20,9 @@ namespace plume {
 
 class Simulation {
  public:
-  /// `calls` point at effects that outlive the simulation.
+  /// `calls` point at effects that outlive the simulation. Particles collide with `solids`.
   Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls, uint32_t scene_seed,
-             glm::vec3 wind);
+             glm::vec3 wind, const std::vector<Solid>& solids = {});
 
   /// Makes `tick` the current one: each emitter takes the shorter road. Waits for the device. Returns the
   /// passes it took.
@@ -57,10 +59,9 @@ class Simulation {
     uint32_t call;   // index into calls_
     uint32_t index;  // of the effect's emitters
     Source source;
-    uint32_t features;       // kUses...
-    SpawnSchedule schedule;  // of the root of its lineage, with the lives of all of it
-    uint32_t per_root;       // births of its own for each of those
-    uint32_t longest_life;   // of the whole lineage, ticks
+    uint32_t features;  // kUses...
+    SpawnSchedule schedule;
+    Lineage lineage;
     shared::EmitterData data;
     CurveTable curves;
 
@@ -69,10 +70,7 @@ class Simulation {
     uint32_t base = 0;                     // its first slot there
     uint32_t place = 0;                    // in the table of emitters on the device
     uint32_t ticks = 0, dispatches = 0;    // that reaching it took
-
-    uint64_t births(uint32_t tick) const { return schedule.births(tick) * per_root; }
-    uint64_t first_alive(uint32_t tick) const { return schedule.first_alive(tick) * per_root; }
-    uint32_t slots() const { return uint32_t(schedule.capacity() * per_root); }
+    uint32_t slots() const { return uint32_t(schedule.capacity()); }
   };
   struct CallState {
     Call call;
@@ -89,6 +87,7 @@ class Simulation {
   std::vector<vk::BufferCopy> lay_out_pool();
   void fill_tables();
   void plan();
+  uint32_t living(const EmitterState& emitter) const;
   shared::Span span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const;
   void add_seek(const EmitterState& emitter, uint64_t first, uint64_t end);
   void record(gpu::Pass& pass, const char* shader, const SpanList& list) const;
@@ -99,6 +98,7 @@ class Simulation {
   std::vector<CallState> calls_;
   std::vector<EmitterState> emitters_;     // by source, so that the cards of one stand together
   std::vector<uint32_t> emitter_of_call_;  // by call and index, into emitters_
+  MotionTables tables_;
   gpu::Buffer emitter_data_, curves_, path_keys_;  // of those awake
   gpu::Buffer particles_, births_buffer_;
   std::vector<uint32_t> births_;  // how many were born before each tick: see Span

@@ -1,5 +1,5 @@
-// Births that kernels work on, as the device reads them: spans of one kernel stand together, and each kernel is
-// one dispatch however many emitters it serves.
+// Births that kernels work on, as the device reads them: spans of one kernel stand together, and each kernel
+// is one dispatch however many emitters it serves.
 #ifndef PLUME_EFFECTS_SPAN_LIST_H
 #define PLUME_EFFECTS_SPAN_LIST_H
 
@@ -19,7 +19,8 @@ class SpanList {
   };
 
   void clear();
-  /// Empty spans are left out. Spans keep the order in which they were added to a kernel; `offset` is set here.
+  /// Empty spans are left out. Spans keep the order in which they were added to a kernel; `offset` is set
+  /// here.
   void add(uint32_t kernel, shared::Span span);
   /// Makes what was added readable for the device, which must be idle.
   void upload(gpu::Device& device, const char* label);

@@ -31,13 +31,15 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
     calls.push_back({.name = instance.name,
                      .effect = &effect->second,
                      .tick = *instance.call_tick,
+                     .stop_tick = instance.stop_tick,
                      .position = instance.position,
+                     .path = instance.path,
                      .yaw_deg = instance.yaw_deg,
                      .seed = instance.seed,
                      .draw_order = instance.draw_order,
                      .layers = std::move(layers)});
   }
-  simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind);
+  simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind, scene_.solids);
   for (const Pane& pane : scene_.panes)
     (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
 }

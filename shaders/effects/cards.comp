@@ -3,9 +3,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "effects/features.glsl"
-#include "effects/spans.glsl"
-#include "effects/step.glsl"
+#include "effects/noise.glsl"
+#include "effects/particle.glsl"
 #include "effects/puff.h"
+#include "effects/spans.glsl"
 #include "shared/card.h"
 #include "shared/half.glsl"
 #include "shared/view.h"
@@ -54,7 +55,16 @@ uint layers_of(EmitterData e, uint key, uint age, out float blend) {
   return (variant * kPuffFrames + now) | (variant * kPuffFrames + (now + 1u) % kPuffFrames) << kLayerBits;
 }
 
-Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key) {
+// Curl noise may displace what is drawn, and nothing else: the state stays where forces brought it.
+vec3 displacement(EmitterData e, vec3 position, uint age, uint tick) {
+  const float drift = e.displacement_speed * float(tick) * kTick;
+  const float grown = min(float(age) * e.displacement_per_tick, 1.0);
+  return turbulence(e.seed, position - e.origin, e.displacement_inv_m, drift, e.displacement_m * grown, e.displacement_octaves);
+}
+
+// `tick` is the emitter's.
+Card card_of(EmitterData e, uint emitter, Particle p, uint age, uint key, uint tick) {
+  if ((kFeatures & kUsesDisplacement) != 0u) p.position += displacement(e, p.position, age, tick);
   const uint life_ticks = life_of(e, key);
   const float life = float(age) / float(life_ticks);
   const vec4 shape = curve(emitter, 0u, life);   // radius, fade, alpha
@@ -115,6 +125,7 @@ void main() {
   const uint index = thread - span.offset, birth = span.first + index;
   const Particle p = particles[slot_of(span, index)];
   const EmitterData e = emitters[span.emitter];
-  if (is_dead(p) || !is_born(p)) cards[first_card + thread] = hidden_card();
-  else cards[first_card + thread] = card_of(e, span.emitter, p, p.state & kDeadAge, particle_key(e, birth));
+  const uint age = age_of(p);
+  if (age == kDeadAge || generation_of(p) > 0u) cards[first_card + thread] = hidden_card();
+  else cards[first_card + thread] = card_of(e, span.emitter, p, age, particle_key(e, birth), span.tick);
 }

@@ -93,8 +93,7 @@ Particle particle_of(Life life, uint birth) {
 }
 
 Life life_in(Particle p) {
-  const Motion m = Motion(p.position, p.velocity, (p.state >> kContactShift) & kContactMask);
-  return Life(m, p.state & kDeadAge, p.state >> kGenerationShift);
+  return Life(Motion(p.position, p.velocity, contact_of(p)), age_of(p), generation_of(p));
 }
 
 #endif

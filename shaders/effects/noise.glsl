@@ -33,4 +33,20 @@ vec3 curl_noise(vec3 position) {
   return result;
 }
 
+// Octaves of it at `arm` from a centre, each half as strong and about twice as fine as the one before. `drift` is how many
+// wavelengths the field has risen; the seed tells fields apart.
+vec3 turbulence(uint seed, vec3 arm, float inv_scale, float drift, float strength, uint octaves) {
+  precise vec3 at = arm * inv_scale;
+  at.y -= drift;
+  at += vec3(seed & 0xffu, (seed >> 8u) & 0xffu, (seed >> 16u) & 0xffu);
+  precise vec3 sum = vec3(0.0);
+  precise float weight = strength;
+  for (uint octave = 0u; octave < octaves; ++octave) {
+    sum += weight * curl_noise(at);
+    at = at * 2.03 + 17.3;
+    weight *= 0.5;
+  }
+  return sum;
+}
+
 #endif

@@ -22,7 +22,4 @@ uint slot_of(Span span, uint index) {
   return span.base + (slot < span.capacity ? slot : slot - span.capacity);
 }
 
-bool is_dead(Particle p) { return (p.state & kDeadAge) == kDeadAge; }
-bool is_born(Particle p) { return p.state >> kGenerationShift == 0u; }
-
 #endif

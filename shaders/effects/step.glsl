@@ -2,31 +2,9 @@
 // Everything is `precise`: the two roads must agree to the bit, so no expression may be contracted differently in either.
 #ifndef PLUME_EFFECTS_STEP_GLSL
 #define PLUME_EFFECTS_STEP_GLSL
-#include "effects/noise.glsl"
-#include "shared/particle.h"
-
-const float kTick = 1.0 / 60.0;   // s
-const float kTwoPi = 6.283185307179586;
-
-uint particle_key(EmitterData e, uint birth) { return hash_pair(e.seed, birth); }
-
-// The n-th random number of a particle, in [0, 1).
-float random(uint key, uint n) { return float(hash(key + n * 0x9e3779b9u) >> 8u) * (1.0 / 16777216.0); }
-
-uint life_of(EmitterData e, uint key) { return e.life_min + uint(random(key, 0u) * float(e.life_max - e.life_min + 1u)); }
-
-vec3 rotate_yaw(EmitterData e, vec3 v) {
-  precise vec3 r = vec3(v.x * e.yaw_cos + v.z * e.yaw_sin, v.y, v.z * e.yaw_cos - v.x * e.yaw_sin);
-  return r;
-}
-
-struct Motion {
-  vec3 position;
-  vec3 velocity;
-  uint contact;
-};
-
-uint collisions(Motion m) { return m.contact >> kCollisionShift; }
+#include "effects/collide.glsl"
+#include "effects/forces.glsl"
+#include "effects/particle.glsl"
 
 // Around `origin`, world; `inherited` is the share of a parent's velocity, m/s.
 Motion birth_motion(EmitterData e, uint key, vec3 origin, vec3 inherited) {
@@ -76,36 +54,27 @@ Motion birth_motion(EmitterData e, uint key, vec3 origin, vec3 inherited) {
   return m;
 }
 
-// Symplectic Euler with implicit drag. `age` is the particle's age in ticks before the step, `tick` its emitter's tick and `origin`
-// its emitter's place then.
-Motion step_motion(EmitterData e, vec3 origin, Motion m, uint age, uint tick) {
-  precise vec3 acceleration = e.gravity;
-  acceleration.y += e.buoyancy * exp(-float(age) * kTick * e.inv_cooling);
-  precise vec3 at = (m.position - e.origin) * e.curl_inv_scale;
-  at.y -= e.curl_speed * float(tick) * kTick;
-  at += vec3(e.seed & 0xffu, (e.seed >> 8u) & 0xffu, (e.seed >> 16u) & 0xffu);
-  precise float strength = e.curl_strength;
-  for (uint octave = 0u; octave < e.curl_octaves; ++octave) {
-    acceleration += strength * curl_noise(at);
-    at = at * 2.03 + 17.3;
-    strength *= 0.5;
-  }
-  precise vec2 arm = m.position.xz - origin.xz;
-  precise float distance = sqrt(dot(arm, arm)) + 1e-6;
-  precise float reach = distance * e.vortex_inv_radius;
-  precise float swirl = e.vortex_strength * reach / (1.0 + reach * reach) * 2.0 / distance;
-  acceleration.xz += vec2(-arm.y, arm.x) * swirl - arm * (e.vortex_pull / distance);
-
-  precise vec3 velocity = m.velocity + acceleration * kTick;
-  velocity = e.wind + (velocity - e.wind) / (1.0 + e.drag * kTick);
+// Symplectic Euler with implicit drag, then the way is cleared: v += a dt; v = u + (v - u) / (1 + drag dt), u the wind; x += v dt.
+// `origin` is where the emitter is at this tick, `age` the particle's age in ticks before the step, `local_tick` counts from the call.
+Motion step_motion(EmitterData e, vec3 origin, Motion m, uint age, uint local_tick) {
+  if ((m.contact & (kStuck | kKilled)) != 0u) return m;
+  const Forces forces = forces_on(e, origin, m, age, local_tick);
+  precise vec3 velocity = m.velocity + forces.acceleration * kTick;
+  velocity = forces.wind + (velocity - forces.wind) / (1.0 + e.drag * kTick);
   precise vec3 position = m.position + velocity * kTick;
-  if (position.y < e.floor_y) {
-    position.y = e.floor_y;
-    velocity.y = max(velocity.y, 0.0);
+  if ((kFeatures & kUsesOrbit) != 0u) {   // on a turntable: what it adds vanishes exactly at no angle
+    precise vec2 arm = position.xz - origin.xz;
+    position.xz += vec2(arm.x * e.orbit_cos_less + arm.y * e.orbit_sin, arm.y * e.orbit_cos_less - arm.x * e.orbit_sin);
+    velocity.xz += vec2(velocity.x * e.orbit_cos_less + velocity.z * e.orbit_sin, velocity.z * e.orbit_cos_less - velocity.x * e.orbit_sin);
   }
-  m.position = position;
-  m.velocity = velocity;
-  return m;
+  Motion next = Motion(position, velocity, m.contact);
+  if ((kFeatures & kUsesCollision) != 0u) next = collide(e, m, next, age);
+  if (next.position.y < e.floor_y) {
+    next.position.y = e.floor_y;
+    next.velocity.y = max(next.velocity.y, 0.0);
+  }
+  if ((kFeatures & kUsesKill) != 0u && is_killed(e, origin, m.position, next.position)) next.contact |= kKilled;
+  return next;
 }
 
 #endif

@@ -19,6 +19,6 @@ void main() {
   const uint index = thread - span.offset, birth = span.first + index;
   const uint slot = slot_of(span, index);
   const Particle p = particles[slot];
-  if (is_dead(p)) return;
+  if (age_of(p) == kDeadAge) return;
   particles[slot] = particle_of(advance(life_in(p), span.emitter, birth, span.tick - 1u), birth);
 }

@@ -6,28 +6,22 @@
 
 PLUME_SHARED_BEGIN
 
-const uint kAgeBits = 20u;          // of Particle::state
-const uint kContactShift = 20u;     // what its motion has met: see kStuck and below
-const uint kContactMask = 63u;
+const uint kAgeBits = 20u;       // of Particle::state
+const uint kContactShift = 20u;  // what its motion has met: see kStuck and below
+const uint kContactBits = 6u;
 const uint kGenerationShift = 26u;  // ancestors still to come
 const uint kDeadAge = (1u << kAgeBits) - 1u;
 const uint kCurveSamples = 32u;     // per curve, over normalised life
 const uint kCurvesPerEmitter = 3u;  // (radius, fade, alpha, -), (color, -), (emission, -)
 
-struct Particle {
-  vec3 position;         // world, m
-  uint birth;            // index among the births of its emitter
-  vec3 velocity;         // m/s
-  uint state;            // age in ticks | contact << kContactShift | generation << kGenerationShift
-};
+// Contact: what a particle has met.
+const uint kStuck = 1u;                 // to a collider: it stays where it is
+const uint kKilled = 2u;                // by a kill volume or a collider
+const uint kOneCollision = 4u;          // collision events, counted up to
+const uint kMostCollisions = 15u * 4u;  // so many
 
-// Of contact.
-const uint kStuck = 1u;           // stays where it is for ever
-const uint kKilled = 2u;          // dies with this tick
-const uint kCollisionShift = 2u;  // above: collisions so far, at most kMostCollisions are counted
-const uint kMostCollisions = 15u;
-
-// What the emitters of a kernel use: its pipeline leaves out everything else.
+// What an emitter's motion is made of. Kernels leave out what none of their emitters uses: constant 0,
+// kFeatures, is the union.
 const uint kUsesCurl = 1u;
 const uint kUsesVortex = 2u;
 const uint kUsesAttractors = 4u;
@@ -37,6 +31,14 @@ const uint kUsesCollision = 32u;
 const uint kUsesKill = 64u;
 const uint kUsesPath = 128u;
 const uint kUsesLineage = 256u;
+const uint kUsesDisplacement = 512u;  // of cards only
+
+struct Particle {
+  vec3 position;  // world, m
+  uint birth;     // index among the births of its emitter
+  vec3 velocity;  // m/s
+  uint state;     // age in ticks | contact << kContactShift | generation << kGenerationShift
+};
 
 // BirthEvent
 const uint kBornOfBirth = 0u;
@@ -47,9 +49,9 @@ const uint kMostGenerations = 2u;  // below an emitter with a rate
 
 // One emitter of one called instance.
 struct EmitterData {
-  uint seed;       // mixes effect seed, instance and emitter
-  uint shape;      // ShapeKind
-  uint life_min;   // ticks
+  uint seed;      // mixes effect seed, instance and emitter
+  uint shape;     // ShapeKind
+  uint life_min;  // ticks
   uint life_max;
   uint curl_octaves;
   uint texture_kind;  // TextureKind
@@ -76,6 +78,32 @@ struct EmitterData {
   float vortex_strength;
   float vortex_inv_radius;
   float vortex_pull;
+  float orbit_sin;       // of the angle a tick
+  float orbit_cos_less;  // its cosine, less 1
+  // Ranges of the tables in shared/motion_tables.h: index of the first, and how many.
+  uint attractor_first;
+  uint attractor_count;
+  uint kill_first;
+  uint kill_count;
+  uint box_first;  // colliders
+  uint box_count;
+  uint round_first;
+  uint round_count;
+  uint field_first;  // cells, x fastest
+  uvec3 field_size;
+  vec3 field_low;       // corner, in the emitter's frame
+  vec3 field_inv_cell;  // 1/m
+  float field_strength;
+  uint response;      // CollisionResponse
+  float restitution;  // share of the normal speed
+  float friction;     // Coulomb's coefficient
+  float body_radius;
+  float event_speed;            // m/s: slower impacts are no events
+  float displacement_m;         // amplitude: of the drawn position only
+  float displacement_inv_m;     // 1/wavelength
+  float displacement_speed;     // wavelengths/s
+  float displacement_per_tick;  // growth: share of the amplitude
+  uint displacement_octaves;
   float radius_scale_min;  // of the card
   float radius_scale_max;
   float cross_section;  // m^2; 0 = the alpha curve holds
@@ -109,21 +137,27 @@ struct PathKey {
 };
 
 const uint kEmitterLit = 1u;
-const uint kEmitterSetApart = 2u;  // of a named layer
+const uint kEmitterSetApart = 2u;         // of a named layer
+const uint kEmitterFieldIsVelocity = 4u;  // the vector field adds to the wind; otherwise it is a force
+
+const uint kResponseBounce = 0u;
+const uint kResponseSlide = 1u;
+const uint kResponseDie = 2u;
+const uint kResponseStick = 3u;
 
 // Births first .. first + count - 1 of one emitter. Birth k lives in slot base + k mod capacity.
 struct Span {
   uint emitter;
   uint first;  // birth index
   uint count;
-  uint base;         // slot
-  uint capacity;     // slots
-  uint first_slot;   // first mod capacity: a division a thread saved
-  uint offset;       // sum of counts before: first thread, first card
-  uint tick;         // of the emitter, since its call
-  uint per_root;     // births of one ancestor that has a rate
-  uint births_base;  // catch-up: first entry of the table of how many of those were born before each tick
-  uint births_tick;  // catch-up: the tick of that entry
+  uint base;          // slot
+  uint capacity;      // slots
+  uint first_slot;    // first mod capacity: a division a thread saved
+  uint offset;        // sum of counts before: first thread, first card
+  uint tick;          // of the emitter, since its call
+  uint per_root;      // births of one ancestor that has a rate
+  uint births_base;   // catch-up: first entry of the table of how many of those were born before each tick
+  uint births_tick;   // catch-up: the tick of that entry
   uint births_count;  // catch-up: ticks; the table has one entry more
 };
 

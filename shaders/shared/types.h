@@ -11,6 +11,7 @@
 namespace plume::shared {
 using glm::mat4;
 using glm::uvec2;
+using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;

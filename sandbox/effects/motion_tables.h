@@ -1,0 +1,54 @@
+// What emitters move by and meet beyond their own few numbers: attractors, kill volumes, vector fields and
+// colliders in tables on the GPU, made once per scene. Instances of one effect share their entries.
+#ifndef PLUME_EFFECTS_MOTION_TABLES_H
+#define PLUME_EFFECTS_MOTION_TABLES_H
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "renderer/gpu/frame.h"
+#include "sandbox/effects/effect.h"
+#include "sandbox/scene/scene.h"
+#include "shaders/shared/motion_tables.h"
+#include "shaders/shared/particle.h"
+
+namespace plume {
+
+/// What the emitter's motion is made of: shared::kUses…
+uint32_t features_of(const Emitter& emitter);
+
+/// First every emitter's fill(), then upload(), then bindings().
+class MotionTables {
+ public:
+  explicit MotionTables(const std::vector<Solid>& solids);
+
+  /// Enters what the emitter needs and writes the ranges into `data`. The emitter outlives the tables.
+  void fill(const Emitter& emitter, shared::EmitterData& data);
+  void upload(gpu::Device& device);
+  /// Buffers of shaders/effects/{forces,collide}.glsl.
+  gpu::Bindings bindings() const;
+
+ private:
+  struct Range {
+    uint32_t first, count;
+  };
+  struct Ranges {
+    Range attractors, kill;
+    uint32_t field_first;
+  };
+  Ranges enter(const Emitter& emitter);
+
+  std::map<const Emitter*, Ranges> entered_;
+
+  std::vector<shared::AttractorData> attractors_;
+  std::vector<shared::KillVolumeData> kill_volumes_;
+  std::vector<glm::vec3> field_cells_;
+  std::vector<shared::BoxCollider> boxes_;
+  std::vector<shared::RoundCollider> rounds_;
+  bool any_collides_ = false;
+  gpu::Buffer attractor_buffer_, kill_buffer_, field_buffer_, box_buffer_, round_buffer_;
+};
+
+}  // namespace plume
+#endif
