@@ -7,6 +7,7 @@
 
 #include "renderer/parameters.h"
 #include "sandbox/effects/spawn_schedule.h"
+#include "sandbox/presets/read_motion.h"
 #include "sandbox/presets/table_reader.h"
 
 namespace plume {
@@ -82,29 +83,6 @@ void read_shape(TableReader& shape, Shape& out) {
   shape.vector("offset_m", out.offset_m, {-1000, 1000, "m"});
 }
 
-void read_motion(TableReader& motion, Motion& out) {
-  const Limits speed{-1000, 1000, "m/s"}, acceleration{-1000, 1000, "m/s^2"};
-  motion.range("speed", out.speed, speed);
-  motion.vector("velocity", out.velocity, speed);
-  motion.number("gravity", out.gravity, {-100, 100, "g"});
-  motion.number("drag", out.drag, {0, 1000, "1/s"});
-  motion.number("wind", out.wind, {0, 10});
-  motion.number("buoyancy", out.buoyancy, acceleration);
-  motion.number("cooling_s", out.cooling_s, {0.001, 3600, "s"});
-  motion.number("floor_y", out.floor_y, {-10'000, 10'000, "m"});
-  motion.table("curl", [&](TableReader& curl) {
-    curl.number("strength", out.curl.strength, {0, 1000, "m/s^2"}, Need::kRequired);
-    curl.number("scale_m", out.curl.scale_m, {0.01, 1000, "m"});
-    curl.number("speed", out.curl.speed, {-100, 100, "wavelengths a second"});
-    curl.integer("octaves", out.curl.octaves, {1, 3});
-  });
-  motion.table("vortex", [&](TableReader& vortex) {
-    vortex.number("strength", out.vortex.strength, acceleration, Need::kRequired);
-    vortex.number("radius_m", out.vortex.radius_m, {0.01, 1000, "m"});
-    vortex.number("pull", out.vortex.pull, acceleration);
-  });
-}
-
 bool is_clear(const Look& look) {
   const auto is_zero = [](const auto& key) { return glm::vec3(key.value) == glm::vec3(0.0f); };
   return look.opacity && std::ranges::all_of(look.opacity->keys, is_zero) &&
@@ -160,6 +138,7 @@ void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
 Effect read_effect_text(std::string_view text, const std::string& file) {
   Effect effect;
   effect.id = preset_id(file);
+  const std::filesystem::path fields = std::filesystem::path(file).parent_path().parent_path() / "fields";
   read_document(text, file, [&](TableReader& top) {
     top.text("name", effect.name, Need::kRequired);
     top.text("description", effect.description);
@@ -180,7 +159,7 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
           table.table(
               "spawn", [&](TableReader& spawn) { read_spawn(spawn, emitter.spawn); }, Need::kRequired);
           table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
-          table.table("motion", [&](TableReader& motion) { read_motion(motion, emitter.motion); });
+          table.table("motion", [&](TableReader& motion) { read_motion(motion, fields, emitter.motion); });
           table.table(
               "look", [&](TableReader& look) { read_look(look, effect.layers, emitter.look); },
               Need::kRequired);
