@@ -3,6 +3,7 @@
 #define PLUME_EFFECTS_EMITTER_DATA_H
 
 #include <array>
+#include <optional>
 
 #include "sandbox/effects/effect.h"
 #include "sandbox/effects/path.h"
@@ -14,8 +15,10 @@ namespace plume {
 struct Call {
   std::string name;  ///< of the instance
   const Effect* effect;
-  uint32_t tick;  ///< of the scene
+  uint32_t tick;                           ///< of the scene
+  std::optional<uint32_t> stop_tick = {};  ///< of the scene: nothing is born from here on
   glm::vec3 position;
+  std::optional<Path> path = {};  ///< that it goes from there
   float yaw_deg;
   uint32_t seed;
   int draw_order = 0;         ///< added to that of its emitters
