@@ -1,0 +1,48 @@
+// Where an emitter's particles can ever be drawn, from the description alone: no state is read back, so what
+// is out of view need not be simulated to know that it is.
+//
+// The scheme of shaders/effects/step.glsl, v' = u + (v + a dt - u) q with q = 1 / (1 + drag dt) and
+// x' = x + v' dt, is linear with weights that are not negative. So the largest coordinate at an age follows
+// from the largest at birth, of the velocity and of the acceleration, axis by axis and tick by tick: interval
+// arithmetic here loses nothing. Gravity, buoyancy and wind are followed exactly; what depends on the place
+// (curl, vortex) counts with its largest size in every direction at once, which is what makes bounds larger
+// than clouds. Every step is widened by what rounding to floats can add to it.
+// Limits: the camera offset is left out; it does not change where on the picture a card is.
+#ifndef PLUME_EFFECTS_BOUNDS_H
+#define PLUME_EFFECTS_BOUNDS_H
+
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+#include "sandbox/effects/effect.h"
+#include "sandbox/effects/path.h"
+
+namespace plume {
+
+/// A box in the world, m; empty as long as nothing was added.
+struct Bounds {
+  glm::vec3 min{std::numeric_limits<float>::infinity()};
+  glm::vec3 max{-std::numeric_limits<float>::infinity()};
+
+  bool empty() const { return !(min.x <= max.x); }
+  bool contains(glm::vec3 point) const;
+  void add(const Bounds& other);
+  double volume() const;
+};
+
+/// Where and in what wind an effect is called.
+struct Placement {
+  glm::vec3 position{0.0f};
+  float yaw_deg = 0.0f;
+  const Path* path = nullptr;
+  glm::vec3 wind{0.0f};  ///< of the scene, m/s
+};
+
+/// Of every card at every tick, emitter by emitter. A fraction of a millisecond for an effect.
+std::vector<Bounds> emitter_bounds(const Effect& effect, const Placement& placement);
+/// All of them together.
+Bounds effect_bounds(const Effect& effect, const Placement& placement);
+
+}  // namespace plume
+#endif
