@@ -1,5 +1,7 @@
 // The step kernel, the catch-up kernel and the making of cards, over numbers of particles. A step reads and
 // writes 32 bytes a particle: its floor is a copy of 64 bytes.
+#include <functional>
+
 #include "sandbox/scene/view.h"
 #include "shaders/shared/card.h"
 #include "tests/bench/gpu_bench.h"
@@ -10,8 +12,42 @@ namespace {
 constexpr uint32_t kLife = 600;
 constexpr double kStepBytes = 2 * sizeof(shared::Particle);
 
+using Forces = std::function<void(Motion&)>;
+
+void no_more(Motion&) {}
+void curl(Motion& m) {
+  m.curl = {.strength = 1.0f, .scale_m = 2.0f, .speed = 0.1f, .octaves = 1};
+}
+void vortex(Motion& m) {
+  m.vortex = {.strength = 1.0f, .radius_m = 1.0f, .pull = 0.5f};
+}
+void orbit(Motion& m) {
+  m.orbit = 0.1f;
+}
+void attractors(Motion& m) {
+  m.attractors = {{.from_m = {2, 1, 0}, .to_m = {2, 1, 0}, .strength = 1.0f},
+                  {.from_m = {-2, 0, 0}, .to_m = {-2, 2, 0}, .strength = -1.0f}};
+}
+void field(Motion& m) {
+  FieldGrid grid{.size = {10, 10, 10}, .low = glm::vec3(-10), .high = glm::vec3(10), .cells = {}};
+  for (uint32_t i = 0; i < 1000; ++i)
+    grid.cells.push_back(glm::vec3(float(i % 7) - 3.0f, 0.5f, float(i % 5) - 2.0f));
+  m.field = VectorField{.id = "bench", .grid = std::make_shared<FieldGrid>(std::move(grid)), .offset_m = {}};
+}
+void kill(Motion& m) {
+  m.kill = {{.kind = KillVolume::Kind::kSphere, .radius_m = 500.0f, .outside = true}};
+}
+/// The ground, and of each other solid one.
+void collisions(Motion& m) {
+  m.gravity = 0.2f;
+  m.collision = Collision{.bounce = 0.4f, .friction = 0.3f, .radius_m = 0.02f};
+}
+void everything(Motion& m) {
+  for (const Forces& forces : {curl, vortex, orbit, attractors, field, kill, collisions}) forces(m);
+}
+
 /// So many particles born at once that live ten seconds, moved by everything the forces argument names.
-Effect cloud(uint32_t count, bool curl) {
+Effect cloud(uint32_t count, const Forces& forces) {
   Emitter emitter;
   emitter.name = "cloud";
   emitter.spawn.bursts = {{0, count}};
@@ -21,7 +57,7 @@ Effect cloud(uint32_t count, bool curl) {
   emitter.motion.drag = 0.8f;
   emitter.motion.gravity = 0.05f;
   emitter.motion.buoyancy = 0.5f;
-  if (curl) emitter.motion.curl = {.strength = 1.0f, .scale_m = 2.0f, .speed = 0.1f, .octaves = 1};
+  forces(emitter.motion);
   emitter.look.cross_section_m2 = 0.1f;
   return {.id = "cloud", .name = "", .description = "", .emitters = {emitter}};
 }
@@ -31,11 +67,15 @@ Simulation simulate(const Effect& effect) {
   return Simulation(
       bench.device, bench.pipelines,
       {{.name = "cloud", .effect = &effect, .tick = 0, .position = {0, 1, 0}, .yaw_deg = 0, .seed = 1}}, 1,
-      {0, 0, 0});
+      {0, 0, 0},
+      {{.kind = SolidKind::kPlane, .position = {0, -1, 0}, .size_m = {100, 0, 100}},
+       {.kind = SolidKind::kBox, .position = {3, 0, 0}, .size_m = {1, 2, 1}},
+       {.kind = SolidKind::kSphere, .position = {-3, 0, 0}, .radius_m = 1},
+       {.kind = SolidKind::kCapsule, .position = {0, -1, 3}, .end = {0, 2, 3}, .radius_m = 0.1f}});
 }
 
-void step(benchmark::State& state, bool curl) {
-  const Effect effect = cloud(uint32_t(state.range(0)), curl);
+void step(benchmark::State& state, const Forces& forces) {
+  const Effect effect = cloud(uint32_t(state.range(0)), forces);
   Simulation simulation = simulate(effect);
   simulation.seek(0);
   simulation.step();
@@ -47,15 +87,15 @@ void step(benchmark::State& state, bool curl) {
 }
 
 void BM_StepWithoutNoise(benchmark::State& state) {
-  step(state, false);
+  step(state, no_more);
 }
 void BM_StepWithCurlNoise(benchmark::State& state) {
-  step(state, true);
+  step(state, curl);
 }
 
 /// items are particle ticks: a seek to age A integrates A ticks of every particle.
 void BM_SeekWithCurlNoise(benchmark::State& state) {
-  const Effect effect = cloud(uint32_t(state.range(0)), true);
+  const Effect effect = cloud(uint32_t(state.range(0)), curl);
   const uint32_t age = uint32_t(state.range(1));
   Simulation simulation = simulate(effect);
   simulation.seek(age);
@@ -65,7 +105,7 @@ void BM_SeekWithCurlNoise(benchmark::State& state) {
 
 void BM_Cards(benchmark::State& state) {
   BenchDevice& bench = bench_device();
-  const Effect effect = cloud(uint32_t(state.range(0)), false);
+  const Effect effect = cloud(uint32_t(state.range(0)), no_more);
   Simulation simulation = simulate(effect);
   simulation.seek(30);
   const gpu::Buffer cards(
@@ -86,6 +126,13 @@ void BM_Cards(benchmark::State& state) {
 
 BENCHMARK(BM_StepWithoutNoise)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
 BENCHMARK(BM_StepWithCurlNoise)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, vortex, vortex)->Arg(100'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, orbit, orbit)->Arg(100'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, attractors, attractors)->Arg(100'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, field, field)->Arg(100'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, kill, kill)->Arg(100'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, collisions, collisions)->Arg(100'000)->Apply(timed);
+BENCHMARK_CAPTURE(step, everything, everything)->Arg(100'000)->Apply(timed);
 BENCHMARK(BM_SeekWithCurlNoise)
     ->Args({100'000, 10})
     ->Args({100'000, 100})

@@ -38,6 +38,12 @@ cooling_s = 2.5
 floor_y = 0.05
 curl = { strength = 1.5, scale_m = 2, speed = 0.2, octaves = 3 }
 vortex = { strength = -2, radius_m = 0.75, pull = 0.3 }
+orbit = -0.5
+attractor = [{ position = [1, 2, 3], strength = 4, radius_m = 0.5 }, { from = [1, 0, 0], to = [0, 0, 1], strength = -1 }]
+field = { file = "swirl", as = "velocity", strength = 3, scale = 2, offset_m = [0, 1, 0] }
+kill = [{ kind = "box", position = [0, 9, 0], size_m = [20, 1, 20] }, { kind = "sphere", radius_m = 30, where = "outside" }, { kind = "plane", normal = [0, 0, 1] }]
+collision = { response = "bounce", bounce = 0.4, friction = 0.3, radius_m = 0.02, event_speed = 1.5 }
+curl_displacement = { amplitude_m = 0.1, scale_m = 0.5, speed = 0.3, octaves = 2, grow_s = 0.7 }
 
 [emitter.look]
 texture = "soft"
@@ -64,7 +70,7 @@ look = { texture = "disc", opacity = [[0, 1], [1, 0]], lit = false, color = [8, 
 )";
 
 TEST(EffectReader, ReadsEveryKey) {
-  const Effect effect = read_effect_text(kEveryKey, "some/where/every_key.toml");
+  const Effect effect = read_effect_text(kEveryKey, PLUME_SOURCE_PRESETS "/effects/every_key.toml");
   EXPECT_EQ(effect.id, "every_key");
   EXPECT_EQ(effect.name, "Every key");
   EXPECT_EQ(effect.description, "What an effect can say.");
@@ -101,6 +107,34 @@ TEST(EffectReader, ReadsEveryKey) {
   EXPECT_EQ(body.motion.vortex.strength, -2.0f);
   EXPECT_EQ(body.motion.vortex.radius_m, 0.75f);
   EXPECT_EQ(body.motion.vortex.pull, 0.3f);
+  EXPECT_EQ(body.motion.orbit, -0.5f);
+  ASSERT_EQ(body.motion.attractors.size(), 2u);
+  EXPECT_EQ(body.motion.attractors[0].from_m, glm::vec3(1, 2, 3));
+  EXPECT_EQ(body.motion.attractors[0].to_m, glm::vec3(1, 2, 3));
+  EXPECT_EQ(body.motion.attractors[0].radius_m, 0.5f);
+  EXPECT_EQ(body.motion.attractors[1].to_m, glm::vec3(0, 0, 1));
+  EXPECT_EQ(body.motion.attractors[1].strength, -1.0f);
+  EXPECT_EQ(body.motion.field->use, VectorField::Use::kVelocity);
+  EXPECT_EQ(body.motion.field->strength, 3.0f);
+  EXPECT_EQ(body.motion.field->scale, 2.0f);
+  EXPECT_EQ(body.motion.field->offset_m, glm::vec3(0, 1, 0));
+  EXPECT_EQ(body.motion.field->grid->size, glm::uvec3(10));
+  ASSERT_EQ(body.motion.kill.size(), 3u);
+  EXPECT_EQ(body.motion.kill[0].size_m, glm::vec3(20, 1, 20));
+  EXPECT_FALSE(body.motion.kill[0].outside);
+  EXPECT_EQ(body.motion.kill[1].radius_m, 30.0f);
+  EXPECT_TRUE(body.motion.kill[1].outside);
+  EXPECT_EQ(body.motion.kill[2].normal, glm::vec3(0, 0, 1));
+  EXPECT_EQ(body.motion.collision->response, CollisionResponse::kBounce);
+  EXPECT_EQ(body.motion.collision->bounce, 0.4f);
+  EXPECT_EQ(body.motion.collision->friction, 0.3f);
+  EXPECT_EQ(body.motion.collision->radius_m, 0.02f);
+  EXPECT_EQ(body.motion.collision->event_speed, 1.5f);
+  EXPECT_EQ(body.motion.curl_displacement.amplitude_m, 0.1f);
+  EXPECT_EQ(body.motion.curl_displacement.scale_m, 0.5f);
+  EXPECT_EQ(body.motion.curl_displacement.speed, 0.3f);
+  EXPECT_EQ(body.motion.curl_displacement.octaves, 2u);
+  EXPECT_EQ(body.motion.curl_displacement.grow_s, 0.7f);
   EXPECT_EQ(body.look.texture, TextureKind::kSoft);
   EXPECT_FLOAT_EQ(body.look.radius_m.at(0.5f), 0.8f);
   EXPECT_EQ(body.look.radius_scale.min, 0.8f);
