@@ -6,6 +6,8 @@ namespace plume {
 namespace {
 
 constexpr float kDeep = 1e6f;  // m: the ground under a plane
+constexpr float kMargin =
+    0.05f;  // m: above the skin that keeps particles from surfaces, 10 km from the origin
 
 shared::AttractorData attractor_data(const Attractor& a) {
   return {.from = a.from_m,
@@ -44,6 +46,18 @@ shared::RoundCollider round_collider(const Solid& solid) {
           .length_m = length};
 }
 
+Reach extent_of(const Solid& solid) {
+  if (solid.kind == SolidKind::kSphere || solid.kind == SolidKind::kCapsule) {
+    const glm::vec3 end = solid.kind == SolidKind::kCapsule ? solid.end : solid.position;
+    return {glm::min(solid.position, end) - solid.radius_m, glm::max(solid.position, end) + solid.radius_m};
+  }
+  const shared::BoxCollider box = box_collider(solid);
+  const float s = std::abs(box.yaw_sin), c = std::abs(box.yaw_cos);
+  const glm::vec3 half(box.half_size.x * c + box.half_size.z * s, box.half_size.y,
+                       box.half_size.x * s + box.half_size.z * c);
+  return {box.position - half - glm::vec3(0, box.depth, 0), box.position + half};
+}
+
 /// A descriptor needs something to point at.
 template <class T>
 gpu::Buffer buffer_of(gpu::Device& device, const char* label, std::vector<T> rows) {
@@ -69,10 +83,26 @@ uint32_t features_of(const Emitter& emitter) {
 
 MotionTables::MotionTables(const std::vector<Solid>& solids) {
   for (const Solid& solid : solids)
-    if (solid.kind == SolidKind::kPlane || solid.kind == SolidKind::kBox)
-      boxes_.push_back(box_collider(solid));
-    else
-      rounds_.push_back(round_collider(solid));
+    if (solid.kind == SolidKind::kPlane || solid.kind == SolidKind::kBox) {
+      boxes_.all.push_back(box_collider(solid));
+      boxes_.extents.push_back(extent_of(solid));
+    } else {
+      rounds_.all.push_back(round_collider(solid));
+      rounds_.extents.push_back(extent_of(solid));
+    }
+}
+
+template <class Collider>
+MotionTables::Range MotionTables::Colliders<Collider>::list_within(const Reach& reach, float margin) {
+  std::vector<uint32_t> near;
+  for (uint32_t i = 0; i < all.size(); ++i)
+    if (glm::all(glm::lessThanEqual(extents[i].min - margin, reach.max)) &&
+        glm::all(glm::lessThanEqual(reach.min, extents[i].max + margin)))
+      near.push_back(i);
+  const auto [entry, added] = known.try_emplace(near, Range{uint32_t(lists.size()), uint32_t(near.size())});
+  if (added)
+    for (const uint32_t i : near) lists.push_back(all[i]);
+  return entry->second;
 }
 
 MotionTables::Ranges MotionTables::enter(const Emitter& emitter) {
@@ -88,7 +118,7 @@ MotionTables::Ranges MotionTables::enter(const Emitter& emitter) {
   return ranges;
 }
 
-void MotionTables::fill(const Emitter& emitter, shared::EmitterData& data) {
+void MotionTables::fill(const Emitter& emitter, shared::EmitterData& data, const Reach& reach) {
   auto entry = entered_.find(&emitter);
   if (entry == entered_.end()) entry = entered_.emplace(&emitter, enter(emitter)).first;
   const Ranges& ranges = entry->second;
@@ -103,20 +133,22 @@ void MotionTables::fill(const Emitter& emitter, shared::EmitterData& data) {
     data.field_low = field->grid->low * field->scale + field->offset_m;
     data.field_inv_cell = glm::vec3(field->grid->size) / extent;
   }
-  if (emitter.motion.collision) {
-    any_collides_ = true;
-    data.box_count = uint32_t(boxes_.size());
-    data.round_count = uint32_t(rounds_.size());
+  if (const auto& collision = emitter.motion.collision) {
+    const float margin = collision->radius_m + kMargin;
+    const Range boxes = boxes_.list_within(reach, margin), rounds = rounds_.list_within(reach, margin);
+    data.box_first = boxes.first;
+    data.box_count = boxes.count;
+    data.round_first = rounds.first;
+    data.round_count = rounds.count;
   }
 }
 
 void MotionTables::upload(gpu::Device& device) {
-  if (!any_collides_) boxes_.clear(), rounds_.clear();  // a scene nobody collides with costs nothing
   attractor_buffer_ = buffer_of(device, "attractors", attractors_);
   kill_buffer_ = buffer_of(device, "kill volumes", kill_volumes_);
   field_buffer_ = buffer_of(device, "field cells", field_cells_);
-  box_buffer_ = buffer_of(device, "box colliders", boxes_);
-  round_buffer_ = buffer_of(device, "round colliders", rounds_);
+  box_buffer_ = buffer_of(device, "box colliders", boxes_.lists);
+  round_buffer_ = buffer_of(device, "round colliders", rounds_.lists);
 }
 
 gpu::Bindings MotionTables::bindings() const {

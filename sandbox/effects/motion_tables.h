@@ -3,8 +3,8 @@
 #ifndef PLUME_EFFECTS_MOTION_TABLES_H
 #define PLUME_EFFECTS_MOTION_TABLES_H
 
+#include <limits>
 #include <map>
-#include <memory>
 #include <vector>
 
 #include "renderer/gpu/frame.h"
@@ -18,13 +18,20 @@ namespace plume {
 /// What the emitter's motion is made of: shared::kUses…
 uint32_t features_of(const Emitter& emitter);
 
+/// A box in the world, m.
+struct Reach {
+  glm::vec3 min{-std::numeric_limits<float>::infinity()};
+  glm::vec3 max{std::numeric_limits<float>::infinity()};
+};
+
 /// First every emitter's fill(), then upload(), then bindings().
 class MotionTables {
  public:
   explicit MotionTables(const std::vector<Solid>& solids);
 
-  /// Enters what the emitter needs and writes the ranges into `data`. The emitter outlives the tables.
-  void fill(const Emitter& emitter, shared::EmitterData& data);
+  /// Enters what the emitter needs and writes the ranges into `data`. The emitter outlives the tables. Solids
+  /// beyond what its particles can ever reach are not looked at again.
+  void fill(const Emitter& emitter, shared::EmitterData& data, const Reach& reach = {});
   void upload(gpu::Device& device);
   /// Buffers of shaders/effects/{forces,collide}.glsl.
   gpu::Bindings bindings() const;
@@ -37,16 +44,24 @@ class MotionTables {
     Range attractors, kill;
     uint32_t field_first;
   };
+  /// Colliders of one kind: those of the scene, and the lists of them that emitters meet.
+  template <class Collider>
+  struct Colliders {
+    std::vector<Collider> all;
+    std::vector<Reach> extents;
+    std::vector<Collider> lists;
+    std::map<std::vector<uint32_t>, Range> known;  // by indices into `all`
+
+    Range list_within(const Reach& reach, float margin);
+  };
   Ranges enter(const Emitter& emitter);
 
   std::map<const Emitter*, Ranges> entered_;
-
   std::vector<shared::AttractorData> attractors_;
   std::vector<shared::KillVolumeData> kill_volumes_;
   std::vector<glm::vec3> field_cells_;
-  std::vector<shared::BoxCollider> boxes_;
-  std::vector<shared::RoundCollider> rounds_;
-  bool any_collides_ = false;
+  Colliders<shared::BoxCollider> boxes_;
+  Colliders<shared::RoundCollider> rounds_;
   gpu::Buffer attractor_buffer_, kill_buffer_, field_buffer_, box_buffer_, round_buffer_;
 };
 

@@ -37,13 +37,13 @@ void field(Motion& m) {
 void kill(Motion& m) {
   m.kill = {{.kind = KillVolume::Kind::kSphere, .radius_m = 500.0f, .outside = true}};
 }
-/// The ground, and of each other solid one.
+/// With the ground and one of each other solid.
 void collisions(Motion& m) {
   m.gravity = 0.2f;
   m.collision = Collision{.bounce = 0.4f, .friction = 0.3f, .radius_m = 0.02f};
 }
 void everything(Motion& m) {
-  for (const Forces& forces : {curl, vortex, orbit, attractors, field, kill, collisions}) forces(m);
+  for (const auto forces : {curl, vortex, orbit, attractors, field, kill, collisions}) forces(m);
 }
 
 /// So many particles born at once that live ten seconds, moved by everything the forces argument names.

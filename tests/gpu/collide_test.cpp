@@ -187,39 +187,48 @@ TEST_F(CollideTest, OnlyImpactsAboveTheEventSpeedCountAndTheCountSaturates) {
   EXPECT_EQ(15u, collisions_of(particles_at(falling({.bounce = 1, .event_speed = 0.5f}), 1500, place)[0]));
 }
 
-TEST_F(CollideTest, NothingGetsIntoAnySolidOfACrowdedScene) {
-  std::vector<Solid> solids{ground(-1)};
-  for (const Solid& part : standing_figure({0.5f, -1, 0.5f}, 40, 1.8f, glm::vec3(0.5f), Material::kUnlit))
-    solids.push_back(part);
-  solids.push_back({.kind = SolidKind::kBox, .position = {-1, -0.5f, 0}, .size_m = {1, 1, 2}, .yaw_deg = 33});
-  solids.push_back(
-      {.kind = SolidKind::kBox, .position = {-1.5f, 0, 0.4f}, .size_m = {0.3f, 3, 0.3f}, .yaw_deg = -12});
-  solids.push_back({.kind = SolidKind::kSphere, .position = {0, -0.8f, -1}, .radius_m = 0.6f});
-  solids.push_back(
-      {.kind = SolidKind::kCapsule, .position = {-2, -0.9f, -2}, .end = {2, -0.2f, -1.5f}, .radius_m = 0.2f});
-  std::vector<Emitter> emitters;
-  for (const CollisionResponse response : {kBounce, kSlide}) {
-    Emitter e = falling({.response = response, .bounce = 0.5f, .friction = 0.2f, .radius_m = 0.01f}, 600);
-    e.name = response == kBounce ? "bounce" : "slide";
-    e.shape = {.kind = ShapeKind::kBox, .size_m = {4, 0.2f, 4}, .offset_m = {0, 3, 0}};
-    e.motion.velocity = {1, -20, 0.5f};
-    e.motion.curl = {.strength = 20};
-    emitters.push_back(e);
+TEST_F(CollideTest, NothingGetsIntoAnySolidOfACrowdedSceneAlsoFarFromTheOrigin) {
+  for (const glm::vec3 origin : {glm::vec3(0), glm::vec3(3000, 500, -2000)}) {
+    std::vector<Solid> solids{ground(-1)};
+    for (const Solid& part : standing_figure({0.5f, -1, 0.5f}, 40, 1.8f, glm::vec3(0.5f), Material::kUnlit))
+      solids.push_back(part);
+    solids.push_back(
+        {.kind = SolidKind::kBox, .position = {-1, -0.5f, 0}, .size_m = {1, 1, 2}, .yaw_deg = 33});
+    solids.push_back(
+        {.kind = SolidKind::kBox, .position = {-1.5f, 0, 0.4f}, .size_m = {0.3f, 3, 0.3f}, .yaw_deg = -12});
+    solids.push_back({.kind = SolidKind::kSphere, .position = {0, -0.8f, -1}, .radius_m = 0.6f});
+    solids.push_back({.kind = SolidKind::kCapsule,
+                      .position = {-2, -0.9f, -2},
+                      .end = {2, -0.2f, -1.5f},
+                      .radius_m = 0.2f});
+    std::vector<Emitter> emitters;
+    for (const CollisionResponse response : {kBounce, kSlide}) {
+      Emitter e = falling({.response = response, .bounce = 0.5f, .friction = 0.2f, .radius_m = 0.01f}, 600);
+      e.name = response == kBounce ? "bounce" : "slide";
+      e.shape = {.kind = ShapeKind::kBox, .size_m = {4, 0.2f, 4}, .offset_m = {0, 3, 0}};
+      e.motion.velocity = {1, -20, 0.5f};
+      e.motion.curl = {.strength = 20};
+      emitters.push_back(e);
+    }
+    for (Solid& solid : solids) solid.position += origin, solid.end += origin;
+    const Effect effect = effect_of(emitters);
+    Simulation simulation = simulate(effect, {.origin = origin, .solids = solids});
+    simulation.seek(0);
+    double deepest = 1;
+    const auto check = [&] {
+      for (const auto& p : simulation.particles())
+        for (const Solid& solid : solids)
+          deepest = std::min(deepest, distance_to(solid, glm::dvec3(p.position)));
+    };
+    for (int i = 0; i < 100; ++i) {
+      simulation.step();
+      if (i % 5 == 0) check();
+    }
+    simulation.seek(1000);
+    check();
+    const double rounding = double(glm::length(origin)) * 2e-7;  // of the coordinates
+    EXPECT_GT(deepest, 0.01 - 1e-4 - rounding) << "bodies of 1 cm";
   }
-  const Effect effect = effect_of(emitters);
-  Simulation simulation = simulate(effect, {.solids = solids});
-  simulation.seek(0);
-  double deepest = 1;
-  const auto check = [&] {
-    for (const auto& p : simulation.particles())
-      for (const Solid& solid : solids)
-        deepest = std::min(deepest, distance_to(solid, glm::dvec3(p.position)));
-  };
-  for (int i = 0; i < 150; ++i) {
-    simulation.step();
-    if (i % 5 == 0) check();
-  }
-  EXPECT_GT(deepest, 0.01 - 1e-4) << "bodies of 1 cm";
 }
 
 }  // namespace
