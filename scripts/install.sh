@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of scripts/packages.txt that are missing. Says which before it does. Needs root or sudo for that.
+# Installs the Debian packages of scripts/packages.txt, or of the list that is given, that are missing. Says which before it does. Needs root
+# or sudo for that.
 set -euo pipefail
-list="$(dirname "$(readlink -f "$0")")/packages.txt"
+list="${1:-$(dirname "$(readlink -f "$0")")/packages.txt}"
 
 missing=()
 while read -r package; do
