@@ -15,13 +15,13 @@ scripts/build.sh plume
 work=out/gallery
 mkdir -p "$work/tiles"
 
-# How to see an effect: tick since its call, distance of the camera, height it looks at and of the effect's origin, metres.
+# How to see an effect: tick since its call, distance of the camera, its height and that of what it looks at, height of the effect's origin.
 declare -A view=(
-  [dust]="90 5.5 0.7 0" [fireball]="40 9 1.8 0" [ground_mist]="660 11 0.8 0" [heat_haze]="300 4.5 1.0 0" [layered_fireball]="62 8 1.5 0"
-  [marker]="60 3.2 1.5 1.7" [rust_smoke]="420 7 1.5 0" [signal_smoke]="330 8 1.9 0" [smoke_grenade]="430 9 1.7 0" [sparks]="240 5 1.0 0.8"
-  [teal_smoke]="420 7 1.5 0"
+  [dust]="90 5.5 1.4 0.7 0" [fireball]="40 9 2.8 1.8 0" [ground_mist]="660 11 2.2 0.8 0" [heat_haze]="300 4.5 1.5 1.0 0"
+  [layered_fireball]="62 8 2.4 1.5 0" [marker]="60 3.4 1.7 1.7 1.95" [rust_smoke]="420 7 2.3 1.5 0" [signal_smoke]="330 8 2.8 2.0 0"
+  [smoke_grenade]="430 9 2.6 1.7 0" [sparks]="240 5 1.6 1.0 0.8" [teal_smoke]="420 7 2.3 1.5 0"
 )
-any_view="90 7 1.3 0"   # an effect without a line above
+any_view="90 7 2.0 1.3 0"   # an effect without a line above
 
 # render OUT ARGUMENTS…: pictures of one frame each, without what is printed for people.
 render() {
@@ -58,19 +58,19 @@ draw_gallery_scenes() {
   sheet gallery_scenes.jpg 4
 }
 
-stage() {   # EFFECT TICK DISTANCE TARGET ORIGIN: a scene that shows one effect
+stage() {   # EFFECT TICK DISTANCE CAMERA TARGET ORIGIN: a scene that shows one effect
   cat <<END
 name = "$1"
 duration_ticks = 3600
 default_tick = $2
 exposure = 0.8
-camera = { position = [0.4, $(awk "BEGIN { print $4 + 0.12 * $3 }"), $3], target = [0.0, $4, 0.0], vertical_fov_deg = 36.0 }
+camera = { position = [0.0, $4, $3], target = [0.0, $5, 0.0], vertical_fov_deg = 36.0 }
 light = { zenith = [0.1, 0.13, 0.2], horizon = [0.3, 0.28, 0.27], sun_direction = [-0.7, 0.55, 0.45], sun_color = [1.5, 1.25, 1.0] }
 solid = [
   { kind = "plane", size_m = [200.0, 200.0], material = "concrete", color = [0.17, 0.165, 0.16] },
   { kind = "figure", position = [$(awk "BEGIN { print -0.3 * $3 }"), 0.0, -0.4], yaw_deg = 40.0, height_m = 1.78, color = [0.06, 0.06, 0.065] },
 ]
-instance = [{ effect = "$1", call_tick = 0, position = [0.0, $5, 0.0], seed = 7 }]
+instance = [{ effect = "$1", call_tick = 0, position = [0.0, $6, 0.0], seed = 7 }]
 END
 }
 
