@@ -5,6 +5,7 @@
 
 #include "sandbox/effects/lineage.h"
 #include "sandbox/effects/motion_tables.h"
+#include "sandbox/effects/lighting.h"
 #include "shaders/shared/hash.h"
 
 namespace plume {
@@ -56,7 +57,8 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
                    (look.layer.empty() ? 0 : shared::kEmitterSetApart) |
                    (motion.field && motion.field->use == VectorField::Use::kVelocity
                         ? shared::kEmitterFieldIsVelocity
-                        : 0),
+                        : 0) |
+                   (casts_shadow(look) ? shared::kEmitterCasts : 0),
           .origin = origin,
           .yaw_sin = yaw_sin,
           .size = shape.size_m,
@@ -102,7 +104,6 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .spin_min = glm::radians(look.spin_deg_s.min),
           .spin_max = glm::radians(look.spin_deg_s.max),
           .stretch = look.stretch_s,
-          .core = call.position,
           .transmission = look.transmission,
           .distortion = glm::radians(look.distortion_deg),
           .diffusion = glm::radians(look.diffusion_deg),

@@ -18,7 +18,7 @@ struct KernelPush {
 
 struct CardsPush {
   KernelPush kernel;
-  uint32_t first_card;
+  uint32_t first_card, first_body;
 };
 
 constexpr uint32_t kGroupSize = 64;
@@ -258,18 +258,21 @@ uint32_t Simulation::cards() const {
 }
 
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
-                              uint32_t first_card) const {
+                              uint32_t first_card, const gpu::Buffer* bodies) const {
+  uint32_t first_body = 0;
   for (const SpanList::Kernel& kernel : living_.kernels()) {
-    pass.dispatch(pipelines_.compute("effects/cards.comp", {kernel.id}),
-                  {{"Particles", &particles_},
-                   {"Spans", &living_.buffer()},
-                   {"Emitters", &emitter_data_},
-                   {"View", &view},
-                   {"Curves", &curves_},
-                   {"Cards", &cards}},
-                  CardsPush{.kernel = push_of(kernel), .first_card = first_card},
-                  {gpu::groups(kernel.threads, kGroupSize), 1, 1});
-    first_card += kernel.threads;
+    pass.dispatch(
+        pipelines_.compute("effects/cards.comp", {kernel.id, bodies ? 1u : 0u}),
+        {{"Particles", &particles_},
+         {"Spans", &living_.buffer()},
+         {"Emitters", &emitter_data_},
+         {"View", &view},
+         {"Curves", &curves_},
+         {"Cards", &cards},
+         {"Bodies", bodies ? bodies : &cards}},  // unused in that variant, but a descriptor points somewhere
+        CardsPush{.kernel = push_of(kernel), .first_card = first_card + first_body, .first_body = first_body},
+        {gpu::groups(kernel.threads, kGroupSize), 1, 1});
+    first_body += kernel.threads;
   }
 }
 
@@ -286,11 +289,14 @@ std::vector<Simulation::EmitterCards> Simulation::cards_by_emitter() const {
   for (const EmitterState& emitter : emitters_) {  // by source; the scene's order is that of calls
     if (!emitter.wanted) continue;
     const Call& call = calls_[emitter.call].call;
+    const Emitter& described = call.effect->emitters[emitter.index];
     EmitterCards& cards = result[calls_[emitter.call].first_emitter + emitter.index];
     cards = {.first = first,
              .count = living(emitter),
+             .call = emitter.call,
+             .emitter = &described,
              .origin = emitter.data.origin,
-             .draw_order = call.draw_order + call.effect->emitters[emitter.index].look.draw_order};
+             .draw_order = call.draw_order + described.look.draw_order};
     first += cards.count;
   }
   std::erase_if(result, [](const EmitterCards& cards) { return cards.count == 0; });

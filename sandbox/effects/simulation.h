@@ -39,12 +39,15 @@ class Simulation {
   /// The same by emitter, in the order of calls and of their emitters.
   struct EmitterCards {
     uint32_t first, count;
+    uint32_t call;  ///< which of the calls
+    const Emitter* emitter;
     glm::vec3 origin;  ///< of the emitter, world
     int draw_order;
   };
   std::vector<EmitterCards> cards_by_emitter() const;
-  void record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
-                    uint32_t first_card) const;
+  /// `bodies`, when light asks for them: shared::LitBody[cards()], one a card.
+  void record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards, uint32_t first_card,
+                    const gpu::Buffer* bodies = nullptr) const;
 
   /// The states of all particles in the living windows, in the order of emitters and births. Waits for the
   /// device.

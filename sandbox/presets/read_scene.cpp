@@ -9,6 +9,7 @@
 #include "sandbox/presets/library.h"
 #include "sandbox/presets/table_reader.h"
 #include "sandbox/scene/figure.h"
+#include "shaders/shared/light.h"
 
 namespace plume {
 namespace {
@@ -38,6 +39,9 @@ void read_light(TableReader& light, Light& out) {
   else
     out.sun_direction = glm::normalize(out.sun_direction);
   light.vector("sun_color", out.sun_color, kRadiance);
+  light.toggle("self_shadow", out.self_shadow);
+  light.integer("shadow_cells", out.shadow_cells, {shared::kLeastLightCells, shared::kMostLightCells});
+  light.number("fire_light", out.fire_light, {0, 100});
 }
 
 /// Asks only for what the kind uses, so that a key without effect is reported as unknown.

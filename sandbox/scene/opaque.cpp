@@ -1,6 +1,8 @@
 #include "sandbox/scene/opaque.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "shaders/shared/solid.h"
 
@@ -49,7 +51,10 @@ void OpaqueScene::record_depth(gpu::Frame& frame, const Targets& targets, const 
 }
 
 void OpaqueScene::record_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
-                               const gpu::Buffer& view) const {
+                               const gpu::Buffer& view, const Lighting* lighting) const {
+  const bool lit = lighting && lighting->bodies();
+  gpu::Bindings bindings{{"View", &view}, {"Solids", &solids_}};
+  if (lit) std::ranges::move(lighting->bindings(), std::back_inserter(bindings));
   frame.pass("opaque", [&](gpu::Pass& pass) {
     constexpr std::array<float, 4> kBlack{0, 0, 0, 1};
     const gpu::Area area{targets.size.x, targets.size.y};
@@ -63,13 +68,13 @@ void OpaqueScene::record_color(gpu::Frame& frame, const Targets& targets, const 
                .bindings = {{"View", &view}}},
               0u);
     pass.draw({.vertex = "opaque/solid.vert",
-               .fragment = "opaque/solid.frag",
+               .fragment = lit ? "opaque/solid_lit.frag" : "opaque/solid.frag",
                .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = {}}},
                .depth = &depth,  // equal where visible
                .depth_use = gpu::DepthUse::kTest,
                .area = area,
-               .constants = {},
-               .bindings = {{"View", &view}, {"Solids", &solids_}},
+               .constants = lit ? gpu::Constants{lighting->shadows() ? 1u : 0u} : gpu::Constants{},
+               .bindings = std::move(bindings),
                .vertices = shared::kSolidVertices,
                .instances = count_,
                .count_fragments = true},

@@ -3,6 +3,7 @@
 #define PLUME_SCENE_OPAQUE_H
 
 #include "renderer/frame.h"
+#include "sandbox/effects/lighting.h"
 #include "sandbox/scene/scene.h"
 
 namespace plume {
@@ -13,7 +14,7 @@ class OpaqueScene {
   void record_depth(gpu::Frame& frame, const Targets& targets, const gpu::Buffer& view) const;
   /// Shades what `depth`, the opaque depth or something nearer, leaves visible.
   void record_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
-                    const gpu::Buffer& view) const;
+                    const gpu::Buffer& view, const Lighting* lighting = nullptr) const;
 
  private:
   gpu::Buffer solids_;

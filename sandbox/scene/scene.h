@@ -71,6 +71,9 @@ struct Light {
   glm::vec3 horizon{0.75f, 0.8f, 0.85f};
   glm::vec3 sun_direction{0.4f, 0.7f, 0.5f};  ///< towards the sun; normalised by the reader
   glm::vec3 sun_color{3.0f, 2.8f, 2.5f};      ///< irradiance / pi
+  bool self_shadow = true;                    ///< smoke shadows itself, other smoke and what stands around
+  uint32_t shadow_cells = 48;                 ///< of the extinction volume, each way
+  float fire_light = 1.0f;  ///< what glows lights smoke and what stands around, times this; 0: it does not
 };
 
 /// Where a file names another preset, for messages once that name is looked up.

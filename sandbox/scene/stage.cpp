@@ -1,5 +1,6 @@
 #include "sandbox/scene/stage.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "sandbox/effects/puff_textures.h"
@@ -39,6 +40,15 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
                      .draw_order = instance.draw_order,
                      .layers = std::move(layers)});
   }
+  std::map<uint32_t, glm::vec3> glowing;
+  for (const Call& call : calls)
+    if (std::ranges::any_of(call.effect->emitters, [](const Emitter& e) { return glows(e.look); }))
+      glowing[uint32_t(&call - calls.data())] = call.position;
+  lighting_.emplace(device,
+                    LightingOptions{.self_shadow = scene_.light.self_shadow,
+                                    .cells = scene_.light.shadow_cells,
+                                    .fire_gain = scene_.light.fire_light},
+                    glowing);
   simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind, scene_.solids);
   for (const Pane& pane : scene_.panes)
     (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
@@ -87,6 +97,7 @@ void Stage::set_draw_order(const std::vector<uint32_t>& order) {
 
 std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera) {
   auto times = simulation_->go_to(tick);
+  lighting_->fit(simulation_->cards_by_emitter(), simulation_->cards());
   // A camera of one's own has no motion of its own: it is where it is for as long as one looks.
   const std::optional<CameraKey> previous =
       camera ? std::nullopt : std::optional(camera_at(scene_.camera, std::max(tick, 1u) - 1));
@@ -110,12 +121,16 @@ Prelude Stage::prelude() const {
                   pass.update(cards_, scalar);
                   pass.update(cards_, rgb, scalar.size() + simulation_->cards());
                   pass.barrier();  // other cards of the same buffer: the validation layer cannot tell
-                  simulation_->record_cards(pass, view_, cards_, uint32_t(scalar_panes_.size()));
+                  simulation_->record_cards(pass, view_, cards_, uint32_t(scalar_panes_.size()),
+                                            lighting_->bodies());
                 });
+                lighting_->record(frame, view_, cards_, uint32_t(scalar_panes_.size()));
                 opaque_.record_depth(frame, targets, view_);
               },
-          .opaque = [this](gpu::Frame& frame, const Targets& targets,
-                           const gpu::Image& depth) { opaque_.record_color(frame, targets, depth, view_); }};
+          .opaque =
+              [this](gpu::Frame& frame, const Targets& targets, const gpu::Image& depth) {
+                opaque_.record_color(frame, targets, depth, view_, &*lighting_);
+              }};
 }
 
 Post Stage::post() const {

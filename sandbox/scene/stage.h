@@ -3,7 +3,7 @@
 #define PLUME_SCENE_STAGE_H
 
 #include "renderer/frame.h"
-#include "sandbox/effects/simulation.h"
+#include "sandbox/effects/lighting.h"
 #include "sandbox/presets/library.h"
 #include "sandbox/scene/opaque.h"
 #include "shaders/shared/card.h"
@@ -30,6 +30,7 @@ class Stage {
 
   const Scene& scene() const { return scene_; }
   const Simulation& simulation() const { return *simulation_; }
+  const Lighting& lighting() const { return *lighting_; }
   /// Called and uncalled instances, in the order of the scene.
   std::vector<InstanceDemand> demand() const;
 
@@ -43,6 +44,7 @@ class Stage {
   gpu::Image puffs_;
   OpaqueScene opaque_;
   std::optional<Simulation> simulation_;
+  std::optional<Lighting> lighting_;
   std::vector<shared::Card> scalar_panes_, rgb_panes_;
   gpu::Buffer view_, cards_, order_;
   uint32_t capacity_ = 0;

@@ -113,7 +113,6 @@ struct EmitterData {
   float spin_min;         // rad/s
   float spin_max;
   float stretch;  // s
-  vec3 core;      // world: what counts as the middle of the cloud for its shading
   vec3 transmission;
   float distortion;  // radians
   float diffusion;   // radians
@@ -139,6 +138,7 @@ struct PathKey {
 const uint kEmitterLit = 1u;
 const uint kEmitterSetApart = 2u;         // of a named layer
 const uint kEmitterFieldIsVelocity = 4u;  // the vector field adds to the wind; otherwise it is a force
+const uint kEmitterCasts = 8u;            // shadows on others and on what stands around
 
 const uint kResponseBounce = 0u;
 const uint kResponseSlide = 1u;
