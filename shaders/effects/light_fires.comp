@@ -61,8 +61,8 @@ void main() {
     fire.position += arm;
     fire.radius_squared = 5.0 / 3.0 * max(sum.squared_arm / sum.l - dot(arm, arm), 0.0) + sum.squared_radius / sum.l;
     fire.radius = sqrt(fire.radius_squared);
-    const float t = max(sum.covered * sum.l / (sum.squared_l * 3.14159265 * fire.radius_squared), 1e-4);
-    fire.power = gain * sum.power * ((1.0 - exp(-t)) / t);
+    const float t = sum.covered * sum.l / (sum.squared_l * 3.14159265 * fire.radius_squared);
+    fire.power = gain * sum.power * (t > 0.01 ? (1.0 - exp(-t)) / t : 1.0 - 0.5 * t);
   }
   fires[gl_WorkGroupID.x] = fire;
   if (gl_WorkGroupID.x == 0u) fire_count = gl_NumWorkGroups.x;
