@@ -1,6 +1,6 @@
-// Lays both light grids over what casts. So that nothing swims or flickers while a cloud grows, cells are a power of sqrt(2) wide and
-// begin at a multiple of that. They are no finer than the largest puff asks for, so that it covers few of them, and one cell of margin
-// is empty all around: what lies outside reads the edge.
+// Lays both light grids over what casts. Cells grow with the cloud from tick to tick, evenly: steps of any size would be seen as a jump.
+// They are no finer than the largest puff asks for, so that it covers few of them, and a margin of cells is empty all around: what lies
+// outside reads the edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "effects/light_frame.glsl"
@@ -15,6 +15,8 @@ layout(push_constant) uniform Push {
   vec2 cells_a_radius;      // of the largest puff, at most
 };
 
+const uint kMargin = 2u;   // cells: puffs narrower than one are spread over one
+
 void main() {
   const uint which = gl_GlobalInvocationID.x;
   LightGrid grid = light_frame(which, view.sun_direction);
@@ -24,9 +26,8 @@ void main() {
     const float finest = from_ordered(~bounds[first + 6u]) / cells_a_radius[which];
     for (uint axis = 0u; axis < 3u; ++axis) {
       const float least = from_ordered(bounds[first + axis]), most = from_ordered(~bounds[first + 3u + axis]);
-      const float needed = max((most - least) / float(grid.cells - 5u), finest);
-      grid.cell[axis] = exp2(ceil(log2(needed) * 2.0) * 0.5);
-      grid.origin[axis] = (floor(least / grid.cell[axis]) - 2.0) * grid.cell[axis];
+      grid.cell[axis] = max((most - least) / float(grid.cells - 2u * kMargin), finest);
+      grid.origin[axis] = least - float(kMargin) * grid.cell[axis];
     }
   }
   grids[which] = grid;

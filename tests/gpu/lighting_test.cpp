@@ -286,6 +286,24 @@ TEST_F(LightingTest, EveryRoadToATickGivesTheSameBits) {
   EXPECT_FALSE(same(sought.cards, from_behind.cards));
 }
 
+TEST_F(LightingTest, CellsGrowEvenlyWithTheCloud) {
+  // A step of the grid's size would be seen: all of the cloud would change its light at once.
+  const std::vector<Emitter> smoke = library.effect("smoke_grenade").emitters;
+  Lit before = light(smoke, {}, 134);
+  for (uint32_t tick = 135; tick < 143; ++tick) {
+    const Lit now = light(smoke, {}, tick);
+    for (uint32_t g = 0; g < shared::kLightGrids; ++g) {
+      const glm::vec3 change = now.grids[g].cell / before.grids[g].cell - 1.0f;
+      const glm::vec3 shift = (now.grids[g].origin - before.grids[g].origin) / now.grids[g].cell;
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LT(std::abs(change[axis]), 0.03f) << "tick " << tick;
+        EXPECT_LT(std::abs(shift[axis]), 0.3f) << "tick " << tick;
+      }
+    }
+    before = now;
+  }
+}
+
 TEST_F(LightingTest, WhatNothingCallsForHasNoPassesAndNoBytes) {
   const auto light_bytes = [&] { return device.memory().owner_bytes("light"); };
   EXPECT_EQ(std::vector<std::string>{"cards"}, light({speck({0, 1, 0})}).passes) << "casts nothing";
