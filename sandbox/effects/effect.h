@@ -12,6 +12,7 @@
 
 #include "sandbox/effects/curve.h"
 #include "sandbox/effects/field_grid.h"
+#include "sandbox/effects/mesh.h"
 
 namespace plume {
 
@@ -64,7 +65,7 @@ struct Parent {
 };
 constexpr uint32_t kMostGenerations = 2;  ///< of children below an emitter that has a rate
 
-enum class ShapeKind : uint32_t { kPoint, kSphere, kHemisphere, kBox, kCone, kRing };
+enum class ShapeKind : uint32_t { kPoint, kSphere, kHemisphere, kBox, kCone, kRing, kLine, kMesh };
 
 /// Where particles are born and which way is outwards, in the instance's frame (y up).
 struct Shape {
@@ -73,6 +74,9 @@ struct Shape {
   float thickness = 1.0f;  ///< 0 = surface only .. 1 = whole volume (sphere, hemisphere, cone, ring)
   glm::vec3 size_m{0.0f};  ///< box, full extents
   float angle_deg = 0.0f;  ///< cone half angle around +y
+  glm::vec3 to_m{0.0f};    ///< line: its other end, as seen from the first; outwards is across it, all around
+  MeshName mesh;           ///< mesh: births all over its surface, outwards is its normal
+  float scale = 1.0f;      ///< mesh: metres for a unit of its file
   glm::vec3 offset_m{0.0f};
 };
 
@@ -185,8 +189,9 @@ struct Look {
   std::string layer;             ///< name of one of the effect's layers, "" = none
   float flipbook_fps = 8.0f;
   Range<float> spin_deg_s{0.0f, 0.0f};
-  float stretch_s = 0.0f;  ///< card grows along its velocity by speed * this
-  int draw_order = 0;      ///< the artist's, for methods that take it: lower ones are drawn first, behind
+  std::vector<MeshName> meshes;  ///< each particle is one of these; empty: a flat card
+  float stretch_s = 0.0f;        ///< card grows along its velocity by speed * this
+  int draw_order = 0;  ///< the artist's, for methods that take it: lower ones are drawn first, behind
 };
 
 /// A named camera offset that emitters share: artists' layering. Renderers keep its depths apart.
@@ -217,6 +222,7 @@ struct Effect {
   OffScreen off_screen = OffScreen::kContinue;
   std::vector<Layer> layers;
   std::vector<Emitter> emitters;
+  std::vector<Mesh> meshes;  ///< each that an emitter names, once
 };
 
 }  // namespace plume

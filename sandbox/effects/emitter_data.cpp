@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sandbox/effects/lighting.h"
 #include "sandbox/effects/lineage.h"
 #include "sandbox/effects/motion_tables.h"
-#include "sandbox/effects/lighting.h"
 #include "shaders/shared/hash.h"
 
 namespace plume {
@@ -32,7 +32,8 @@ float camera_offset_m(const Call& call, const Emitter& emitter) {
   return emitter.look.camera_offset_m + here->camera_offset_m - own->camera_offset_m;
 }
 
-shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scene_seed, glm::vec3 wind) {
+shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scene_seed, glm::vec3 wind,
+                                 MeshTable& meshes) {
   const Emitter& emitter = call.effect->emitters[index];
   const auto& [name, parent, spawn, shape, motion, look] = emitter;
   const auto longest_life_of = [&](uint32_t e) { return call.effect->emitters[e].spawn.life_ticks.max; };
@@ -61,9 +62,9 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
                    (casts_shadow(look) ? shared::kEmitterCasts : 0),
           .origin = origin,
           .yaw_sin = yaw_sin,
-          .size = shape.size_m,
+          .size = shape.kind == ShapeKind::kLine ? shape.to_m : shape.size_m,
           .yaw_cos = yaw_cos,
-          .radius = shape.radius_m,
+          .radius = shape.kind == ShapeKind::kMesh ? shape.scale : shape.radius_m,
           .thickness = shape.thickness,
           .cone_angle = glm::radians(shape.angle_deg),
           .speed_min = motion.speed.min,
@@ -116,16 +117,19 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .birth_every = parent ? parent->every_ticks : 1,
           .inherit_velocity = parent ? parent->inherit_velocity : 0.0f,
           .path_first = 0,
-          .path_count = 0};
+          .path_count = 0,
+          .shape_mesh = shape.kind == ShapeKind::kMesh ? meshes.add(*call.effect, {&shape.mesh, 1}) : 0};
 }
 
 uint32_t features_of(const Call& call, uint32_t index) {
   const std::vector<Emitter>& emitters = call.effect->emitters;
-  const Emitter* emitter = &emitters[index];
-  uint32_t features = features_of(*emitter) | (call.path ? shared::kUsesPath : 0);
-  for (; emitter->parent; emitter = &emitters[emitter->parent->index])
-    features |= shared::kUsesLineage | features_of(emitters[emitter->parent->index]);
-  return features;
+  uint32_t features = call.path ? shared::kUsesPath : 0;
+  for (const Emitter* emitter = &emitters[index];; emitter = &emitters[emitter->parent->index]) {
+    features |= features_of(*emitter);
+    if (emitter->shape.kind == ShapeKind::kMesh) features |= shared::kUsesMeshShape;
+    if (!emitter->parent) return features;
+    features |= shared::kUsesLineage;
+  }
 }
 
 CurveTable bake_curves(const Look& look) {

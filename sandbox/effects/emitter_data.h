@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sandbox/effects/effect.h"
+#include "sandbox/effects/mesh_table.h"
 #include "sandbox/effects/path.h"
 #include "shaders/shared/particle.h"
 
@@ -28,8 +29,9 @@ struct Call {
 /// Metres towards the camera by which an emitter of a call is drawn nearer than it is.
 float camera_offset_m(const Call& call, const Emitter& emitter);
 
-/// All but the ranges that MotionTables fill in.
-shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind);
+/// All but the ranges that MotionTables fill in. Adds the meshes it needs to `meshes`.
+shared::EmitterData emitter_data(const Call& call, uint32_t emitter, uint32_t scene_seed, glm::vec3 wind,
+                                 MeshTable& meshes);
 
 /// What moving the particles of an emitter takes, with that of its ancestors: kUses...
 uint32_t features_of(const Call& call, uint32_t emitter);

@@ -73,12 +73,14 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
                          .features = features_of(state.call, index),
                          .schedule = schedule_of(state.call, lineage),
                          .lineage = lineage,
-                         .data = emitter_data(state.call, index, scene_seed, wind),
+                         .data = emitter_data(state.call, index, scene_seed, wind, meshes_),
                          .curves = bake_curves(emitters[index].look)});
     tables_.fill(emitters[index], emitters_.back().data);
     state.last_tick = std::max(state.last_tick, emitters_.back().schedule.last_tick());
   }
-  if (!emitters_.empty()) tables_.upload(device);
+  if (emitters_.empty()) return;
+  tables_.upload(device);
+  meshes_.upload(device);
 }
 
 /// Its own tick when it is awake at `tick` of the scene.
@@ -205,8 +207,15 @@ void Simulation::plan() {
   upload(device_, births_buffer_, "births", births_);
 }
 
+/// Where there are no meshes a descriptor still needs something to point at.
+gpu::Bindings Simulation::mesh_bindings() const {
+  return {{"MeshRanges", meshes_.empty() ? &emitter_data_ : &meshes_.ranges()},
+          {"MeshTriangles", meshes_.empty() ? &emitter_data_ : &meshes_.triangles()}};
+}
+
 void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list) const {
   gpu::Bindings bindings = tables_.bindings();
+  for (const gpu::Binding& mesh : mesh_bindings()) bindings.push_back(mesh);
   bindings.insert(bindings.end(), {{"Particles", &particles_},
                                    {"Spans", &list.buffer()},
                                    {"Emitters", &emitter_data_},

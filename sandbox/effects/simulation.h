@@ -93,15 +93,17 @@ class Simulation {
   uint32_t living(const EmitterState& emitter) const;
   shared::Span span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const;
   void add_seek(const EmitterState& emitter, uint64_t first, uint64_t end);
+  gpu::Bindings mesh_bindings() const;
   void record(gpu::Pass& pass, const char* shader, const SpanList& list) const;
   void count_demand(uint32_t tick);
 
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   std::vector<CallState> calls_;
-  std::vector<EmitterState> emitters_;     // by source, so that the cards of one stand together
+  std::vector<EmitterState> emitters_;  // by source and kernel of cards, so that those of one stand together
   std::vector<uint32_t> emitter_of_call_;  // by call and index, into emitters_
   MotionTables tables_;
+  MeshTable meshes_;
   gpu::Buffer emitter_data_, curves_, path_keys_;  // of those awake
   gpu::Buffer particles_, births_buffer_;
   std::vector<uint32_t> births_;  // how many were born before each tick: see Span

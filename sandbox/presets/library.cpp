@@ -6,7 +6,9 @@
 #include <cstdlib>
 
 #include "renderer/parameters.h"
+#include "sandbox/presets/diagnostics.h"
 #include "sandbox/presets/read_effect.h"
+#include "sandbox/presets/read_mesh.h"
 #include "sandbox/presets/read_replay.h"
 #include "sandbox/presets/read_scene.h"
 
@@ -14,8 +16,15 @@ namespace plume {
 namespace fs = std::filesystem;
 namespace {
 
-std::string_view word(PresetKind kind) {
-  return kind == PresetKind::kEffect ? "effect" : kind == PresetKind::kScene ? "scene" : "replay";
+struct Kind {
+  std::string_view word, folder, extension;
+};
+constexpr Kind kKinds[] = {{"effect", "effects", ".toml"},
+                           {"scene", "scenes", ".toml"},
+                           {"replay", "replays", ".toml"},
+                           {"mesh", "meshes", ".obj"}};
+const Kind& traits(PresetKind kind) {
+  return kKinds[size_t(kind)];
 }
 
 }  // namespace
@@ -23,27 +32,34 @@ std::string_view word(PresetKind kind) {
 std::vector<std::string> PresetLibrary::ids(PresetKind kind) const {
   std::vector<std::string> ids;
   std::error_code absent;  // a folder that is not there holds nothing
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(root_ / fmt::format("{}s", word(kind)), absent))
-    if (entry.path().extension() == ".toml") ids.push_back(entry.path().stem().string());
+  for (const fs::directory_entry& entry : fs::directory_iterator(root_ / traits(kind).folder, absent))
+    if (entry.path().extension() == traits(kind).extension) ids.push_back(entry.path().stem().string());
   std::ranges::sort(ids);
   return ids;
 }
 
 fs::path PresetLibrary::find(PresetKind kind, std::string_view name) const {
-  if (name.find('/') != name.npos || name.ends_with(".toml")) {
+  if (name.find('/') != name.npos || name.ends_with(traits(kind).extension)) {
     if (!fs::exists(name))
-      throw PresetError(fmt::format("there is no file {}, expected a path to a {}", name, word(kind)));
+      throw PresetError(fmt::format("there is no file {}, expected a path to a {}", name, traits(kind).word));
     return name;
   }
   const std::vector<std::string> known = ids(kind);
   if (std::ranges::binary_search(known, name))
-    return root_ / fmt::format("{}s", word(kind)) / fmt::format("{}.toml", name);
-  throw PresetError(fmt::format("unknown {} `{}`, {}", word(kind), name, suggestion(name, known)));
+    return root_ / traits(kind).folder / fmt::format("{}{}", name, traits(kind).extension);
+  throw PresetError(fmt::format("unknown {} `{}`, {}", traits(kind).word, name, suggestion(name, known)));
 }
 
 Effect PresetLibrary::effect(std::string_view name) const {
-  return read_effect(find(PresetKind::kEffect, name));
+  Effect effect = read_effect(find(PresetKind::kEffect, name));
+  if (auto missing = check_references(effect, *this); !missing.empty()) throw FileErrors(std::move(missing));
+  for (const MeshName& mesh_name : mesh_names(effect))
+    if (std::ranges::find(effect.meshes, mesh_name.id, &Mesh::id) == effect.meshes.end())
+      effect.meshes.push_back(mesh(mesh_name.id));
+  return effect;
+}
+Mesh PresetLibrary::mesh(std::string_view name) const {
+  return read_mesh(find(PresetKind::kMesh, name));
 }
 Scene PresetLibrary::scene(std::string_view name) const {
   return read_scene(find(PresetKind::kScene, name));

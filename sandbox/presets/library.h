@@ -1,4 +1,5 @@
-// Finds the effects, scenes and replays of a preset folder by id (file name without .toml) or by path.
+// Finds the effects, scenes, replays and meshes of a preset folder by id (file name without extension) or by
+// path.
 #ifndef PLUME_PRESETS_LIBRARY_H
 #define PLUME_PRESETS_LIBRARY_H
 
@@ -14,7 +15,7 @@
 
 namespace plume {
 
-enum class PresetKind { kEffect, kScene, kReplay };
+enum class PresetKind { kEffect, kScene, kReplay, kMesh };
 
 /// A preset, or a preset folder, that is not there; the message names the nearest one that is.
 struct PresetError : std::runtime_error {
@@ -24,18 +25,19 @@ struct PresetError : std::runtime_error {
 /// Looks at the folder each time it is asked, so presets saved while the program runs are found.
 class PresetLibrary {
  public:
-  /// `root` holds effects/, scenes/ and replays/; each may be absent.
+  /// `root` holds effects/, scenes/, replays/ and meshes/; each may be absent.
   explicit PresetLibrary(std::filesystem::path root) : root_(std::move(root)) {}
 
   const std::filesystem::path& root() const { return root_; }
   /// Sorted.
   std::vector<std::string> ids(PresetKind kind) const;
-  /// The file of a preset. A name with '/' or ending in .toml is a path, else an id. Throws PresetError when
-  /// there is none.
+  /// The file of a preset. A name with '/' or ending in .toml (a mesh: .obj) is a path, else an id. Throws
+  /// PresetError when there is none.
   std::filesystem::path find(PresetKind kind, std::string_view name) const;
 
   /// Find and read; throw PresetError or FileErrors.
-  Effect effect(std::string_view name) const;
+  Effect effect(std::string_view name) const;  ///< with the meshes it names
+  Mesh mesh(std::string_view name) const;
   Scene scene(std::string_view name) const;
   Replay replay(std::string_view name) const;
 

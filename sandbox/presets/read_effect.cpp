@@ -8,12 +8,14 @@
 #include "renderer/parameters.h"
 #include "sandbox/effects/spawn_schedule.h"
 #include "sandbox/presets/read_motion.h"
+#include "sandbox/presets/library.h"
 #include "sandbox/presets/table_reader.h"
 
 namespace plume {
 namespace {
 
-constexpr std::string_view kShapes[] = {"point", "sphere", "hemisphere", "box", "cone", "ring"};
+constexpr std::string_view kShapes[] = {"point", "sphere", "hemisphere", "box",
+                                        "cone",  "ring",   "line",       "mesh"};
 constexpr std::string_view kTextures[] = {"puff", "disc", "soft"};
 
 constexpr size_t kMaxEmitters = 64;
@@ -66,6 +68,16 @@ void read_spawn(TableReader& spawn, Spawn& out) {
   }
 }
 
+/// One name of a mesh, or a list of at most `most`.
+bool read_meshes(TableReader& table, std::string_view key, std::vector<MeshName>& out, size_t most,
+                 Need need = Need::kOptional) {
+  std::vector<std::string> names;
+  if (!table.texts(key, names, most, need)) return false;
+  const toml::source_position at = table.position(key);
+  for (std::string& name : names) out.push_back({std::move(name), table.file(), at.line, at.column});
+  return true;
+}
+
 /// Asks only for what the kind uses, so that a key without effect is reported as unknown.
 void read_shape(TableReader& shape, Shape& out) {
   const bool known = shape.choice("kind", out.kind, kShapes, Need::kRequired);
@@ -80,6 +92,14 @@ void read_shape(TableReader& shape, Shape& out) {
   if (any_of({kSphere, kHemisphere, kCone, kRing})) shape.number("thickness", out.thickness, kShare);
   if (any_of({kBox})) shape.vector("size_m", out.size_m, {0, 1000, "m"}, need);
   if (any_of({kCone})) shape.number("angle_deg", out.angle_deg, {0, 90, "degrees"}, need);
+  if (any_of({kLine}) && shape.vector("to_m", out.to_m, {-1000, 1000, "m"}, need) &&
+      glm::length(out.to_m) < 1e-3f)
+    shape.report("to_m", "a line without length, expected an end at least 0.001 m from its beginning");
+  if (any_of({kMesh})) {
+    std::vector<MeshName> names;
+    if (read_meshes(shape, "mesh", names, 1, need)) out.mesh = names[0];
+    shape.number("scale", out.scale, {0.001, 1000, "m"});
+  }
   shape.vector("offset_m", out.offset_m, {-1000, 1000, "m"});
 }
 
@@ -171,6 +191,25 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
         Need::kRequired);
   });
   return effect;
+}
+
+std::vector<MeshName> mesh_names(const Effect& effect) {
+  std::vector<MeshName> names;
+  for (const Emitter& emitter : effect.emitters) {
+    if (emitter.shape.kind == ShapeKind::kMesh) names.push_back(emitter.shape.mesh);
+    names.insert(names.end(), emitter.look.meshes.begin(), emitter.look.meshes.end());
+  }
+  return names;
+}
+
+std::vector<Diagnostic> check_references(const Effect& effect, const PresetLibrary& library) {
+  std::vector<Diagnostic> found;
+  for (const MeshName& mesh : mesh_names(effect)) try {
+      library.find(PresetKind::kMesh, mesh.id);
+    } catch (const PresetError& error) {
+      found.push_back({mesh.file, mesh.line, mesh.column, error.what()});
+    }
+  return found;
 }
 
 Effect read_effect(const std::filesystem::path& path) {

@@ -8,16 +8,25 @@
 #include <string_view>
 
 #include "sandbox/effects/effect.h"
+#include "sandbox/presets/diagnostics.h"
 
 namespace plume {
+
+class PresetLibrary;
 
 /// More than this alive at once in one emitter is an error: their state must fit one 128 MiB storage buffer.
 constexpr uint64_t kMaxAlive = 4'000'000;
 
-/// Throws FileErrors with everything that is wrong in the file.
+/// Throws FileErrors with everything that is wrong in the file. Meshes are named, not read: see
+/// check_references() and PresetLibrary.
 Effect read_effect(const std::filesystem::path& path);
 /// The same from text; `file` names it in messages and gives the id.
 Effect read_effect_text(std::string_view text, const std::string& file);
+
+/// Every mesh that an emitter names, in the order of the file.
+std::vector<MeshName> mesh_names(const Effect& effect);
+/// A diagnostic for each of them that the library does not have.
+std::vector<Diagnostic> check_references(const Effect& effect, const PresetLibrary& library);
 
 }  // namespace plume
 #endif

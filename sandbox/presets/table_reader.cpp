@@ -185,6 +185,27 @@ bool TableReader::text(std::string_view key, std::string& value, Need need) {
   return true;
 }
 
+bool TableReader::texts(std::string_view key, std::vector<std::string>& value, size_t most, Need need) {
+  const std::string expected = most == 1
+                                   ? "a non-empty text in quotes"
+                                   : fmt::format("a non-empty text in quotes, or a list of 1 to {}", most);
+  const toml::node* node = find(key, need, expected);
+  if (!node) return false;
+  std::vector<std::string> found;
+  const auto take = [&](const toml::node& one) {
+    const auto* text = one.as_string();
+    if (text && !text->get().empty()) found.push_back(text->get());
+    return text && !text->get().empty();
+  };
+  const toml::array* list = most == 1 ? nullptr : node->as_array();
+  const bool read =
+      list ? !list->empty() && list->size() <= most && std::all_of(list->begin(), list->end(), take)
+           : take(*node);
+  if (!read) return wrong(key, *node, expected), false;
+  value = std::move(found);
+  return true;
+}
+
 bool TableReader::choice(std::string_view key, uint32_t& value, std::span<const std::string_view> names,
                          Need need) {
   const std::string expected = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));

@@ -74,6 +74,8 @@ class TableReader {
   bool integer(std::string_view key, uint32_t& value, Limits limits, Need need = Need::kOptional);
   bool toggle(std::string_view key, bool& value);
   bool text(std::string_view key, std::string& value, Need need = Need::kOptional);
+  /// One non-empty text or a list of them, at least one and at most `most`.
+  bool texts(std::string_view key, std::vector<std::string>& value, size_t most, Need need = Need::kOptional);
   /// Index into `names`.
   bool choice(std::string_view key, uint32_t& value, std::span<const std::string_view> names,
               Need need = Need::kOptional);
@@ -119,6 +121,7 @@ class TableReader {
   void report(toml::source_position position, std::string message);
   toml::source_position position(std::string_view key) const;
   size_t mistakes() const { return found_.size(); }
+  const std::string& file() const { return file_; }
 
  private:
   friend void read_document(std::string_view text, const std::string& file, const Read& read);

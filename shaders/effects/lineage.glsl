@@ -5,6 +5,7 @@
 #ifndef PLUME_EFFECTS_LINEAGE_GLSL
 #define PLUME_EFFECTS_LINEAGE_GLSL
 #include "effects/path.glsl"
+#include "effects/shapes.glsl"
 #include "effects/spans.glsl"
 #include "effects/step.glsl"
 

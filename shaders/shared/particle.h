@@ -32,6 +32,7 @@ const uint kUsesKill = 64u;
 const uint kUsesPath = 128u;
 const uint kUsesLineage = 256u;
 const uint kUsesDisplacement = 512u;  // of cards only
+const uint kUsesMeshShape = 1024u;
 
 struct Particle {
   vec3 position;  // world, m
@@ -58,9 +59,9 @@ struct EmitterData {
   uint flags;         // kEmitter...
   vec3 origin;        // world, m
   float yaw_sin;
-  vec3 size;  // box
+  vec3 size;  // box: full extents; line: from end to end
   float yaw_cos;
-  float radius;  // shape
+  float radius;  // shape; mesh: its scale
   float thickness;
   float cone_angle;  // radians
   float speed_min;
@@ -127,6 +128,7 @@ struct EmitterData {
   float inherit_velocity;
   uint path_first;  // keys of the path that the emitter moves on
   uint path_count;
+  uint shape_mesh;  // of the mesh ranges
 };
 
 // Where an emitter is at a tick since its call, from where it was called.

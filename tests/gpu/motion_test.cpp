@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <map>
 
 #include "sandbox/scene/view.h"
 #include "shaders/shared/card.h"
@@ -76,6 +77,77 @@ TEST_F(MotionTest, EveryShapeGivesBirthInsideItselfAndFillsIt) {
     EXPECT_LE(glm::length(p.velocity), 3.001f);
     EXPECT_GE(glm::normalize(p.velocity).y, std::cos(glm::radians(30.01f)));
   }
+}
+
+TEST_F(MotionTest, ALineGivesBirthEvenlyAlongItAndThrowsAcrossIt) {
+  Emitter e = emitter(2000);
+  e.shape = {.kind = ShapeKind::kLine, .to_m = {1, 2, -2}};
+  e.motion.speed = {2, 2};
+  const glm::dvec3 along = glm::dvec3(e.shape.to_m) / 3.0;
+  std::array<int, 20> births{};
+  glm::dvec3 mean(0);
+  for (const auto& p : particles_at(e, 0)) {
+    const double at = glm::dot(glm::dvec3(p.position), along) / 3;
+    EXPECT_LT(glm::length(glm::dvec3(p.position) - along * at * 3.0), 1e-6);
+    ASSERT_TRUE(at >= 0 && at < 1);
+    ++births[size_t(at * 20)];
+    EXPECT_NEAR(2, glm::length(p.velocity), 1e-5);
+    EXPECT_NEAR(0, glm::dot(glm::dvec3(p.velocity), along), 1e-5);
+    mean += glm::dvec3(p.velocity) / 2000.0;
+  }
+  double chi2 = 0;
+  for (const int n : births) chi2 += (n - 100.0) * (n - 100.0) / 100;
+  EXPECT_LT(chi2, 43.8) << "19 degrees of freedom: one in a thousand";
+  EXPECT_LT(glm::length(mean), 0.15) << "to all sides alike";
+}
+
+TEST_F(MotionTest, AMeshGivesBirthEvenlyOnItsSurfaceAndThrowsAlongItsNormal) {
+  // A flat quarter of a box's side and two large triangles: shares of 1, 8 and 16 of 25, each cut into four.
+  Effect effect{.id = "test", .name = "", .description = "", .emitters = {emitter(5000)}};
+  effect.meshes = {{.id = "m",
+                    .triangles = {{{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+                                  {{{0, 0, 0}, {0, 0, 2}, {0, 4, 0}}},
+                                  {{{0, 0, 0}, {4, 0, 4}, {0, 4, 0}}}}}};
+  Emitter& e = effect.emitters[0];
+  e.shape = {.kind = ShapeKind::kMesh, .mesh = {.id = "m"}, .scale = 0.5f};
+  e.motion.speed = {3, 3};
+  Simulation simulation(
+      device, pipelines,
+      {{.name = "test", .effect = &effect, .tick = 0, .position = {1, 2, 3}, .yaw_deg = 90}}, 1, {});
+  simulation.seek(0);
+  std::map<std::pair<size_t, int>, int> births;
+  double whole = 0;
+  std::vector<double> areas;
+  for (const auto& t : effect.meshes[0].triangles) {
+    areas.push_back(double(glm::length(glm::cross(t[1] - t[0], t[2] - t[0]))));
+    whole += areas.back();
+  }
+  for (const auto& p : simulation.particles()) {
+    const glm::dvec3 q = glm::dvec3(p.position) - glm::dvec3(1, 2, 3), v(p.velocity);
+    const glm::dvec3 place = glm::dvec3(-q.z, q.y, q.x) * 2.0, out = glm::dvec3(-v.z, v.y, v.x) / 3.0;
+    int found = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      const auto& t = effect.meshes[0].triangles[i];
+      const glm::dvec3 a(t[0]), u = glm::dvec3(t[1]) - a, w = glm::dvec3(t[2]) - a;
+      const glm::dvec3 normal = glm::normalize(glm::cross(u, w));
+      if (glm::length(normal - out) > 1e-5) continue;
+      ++found;
+      EXPECT_LT(std::abs(glm::dot(place - a, normal)), 2e-6) << "on the plane";
+      const glm::dmat2 gram(glm::dot(u, u), glm::dot(u, w), glm::dot(u, w), glm::dot(w, w));
+      const glm::dvec2 at = glm::inverse(gram) * glm::dvec2(glm::dot(place - a, u), glm::dot(place - a, w));
+      EXPECT_TRUE(at.x > -1e-6 && at.y > -1e-6 && at.x + at.y < 1 + 1e-6) << at.x << ", " << at.y;
+      const int quarter = at.x > 0.5 ? 0 : at.y > 0.5 ? 1 : at.x + at.y < 0.5 ? 2 : 3;
+      ++births[{i, quarter}];
+    }
+    ASSERT_EQ(1, found) << "outwards is the normal of one triangle";
+  }
+  double chi2 = 0;
+  for (const auto& [place, n] : births) {
+    const double expected = 5000 * areas[place.first] / whole / 4;
+    chi2 += (n - expected) * (n - expected) / expected;
+  }
+  EXPECT_EQ(12u, births.size());
+  EXPECT_LT(chi2, 31.3) << "11 degrees of freedom: one in a thousand";
 }
 
 TEST_F(MotionTest, GravityDragWindAndBuoyancyFollowTheRecurrenceInDoublePrecision) {
