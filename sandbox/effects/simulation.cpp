@@ -38,6 +38,15 @@ Source source_of(const Look& look) {
   return look.distortion_deg > 0.0f ? Source::kHaze : plume::source_of(look.transmission);
 }
 
+/// Kernels of cards in the order in which cards lie: those of one source stand together.
+constexpr uint32_t kSourceShift = 30;
+constexpr uint32_t kSourceBits = 3u << kSourceShift;
+
+uint32_t cards_kernel(const Emitter& emitter) {
+  return uint32_t(source_of(emitter.look)) << kSourceShift |
+         (features_of(emitter) & shared::kUsesDisplacement);
+}
+
 }  // namespace
 
 Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls,
@@ -45,12 +54,12 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
     : device_(device), pipelines_(pipelines), tables_(solids) {
   struct Member {
     uint32_t call, index;
-    Source source;
+    uint32_t cards;
   };
   std::vector<Member> members;
   for (Call& call : calls) {
     for (uint32_t e = 0; e < call.effect->emitters.size(); ++e)
-      members.push_back({uint32_t(calls_.size()), e, source_of(call.effect->emitters[e].look)});
+      members.push_back({uint32_t(calls_.size()), e, cards_kernel(call.effect->emitters[e])});
     Clock clock(call.tick);
     calls_.push_back({.call = std::move(call),
                       .clock = std::move(clock),
@@ -59,17 +68,17 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
     calls_.back().demand.name = calls_.back().call.name;
     calls_.back().demand.called = true;
   }
-  std::ranges::stable_sort(members, {}, &Member::source);  // cards of one source stand together
+  std::ranges::stable_sort(members, {}, &Member::cards);
 
   emitter_of_call_.resize(members.size());
-  for (const auto& [call, index, source] : members) {
+  for (const auto& [call, index, cards] : members) {
     CallState& state = calls_[call];
     const std::vector<Emitter>& emitters = state.call.effect->emitters;
     const Lineage lineage = lineage_of(emitters, index);
     emitter_of_call_[state.first_emitter + index] = uint32_t(emitters_.size());
     emitters_.push_back({.call = call,
                          .index = index,
-                         .source = source,
+                         .cards = cards,
                          .features = features_of(state.call, index),
                          .schedule = schedule_of(state.call, lineage),
                          .lineage = lineage,
@@ -187,7 +196,7 @@ void Simulation::plan() {
     if (!emitter.wanted) continue;
     const uint32_t tick = *emitter.wanted;
     const uint64_t first = emitter.schedule.first_alive(tick), end = emitter.schedule.births(tick);
-    living_.add(emitter.features & shared::kUsesDisplacement, span_of(emitter, first, end));
+    living_.add(emitter.cards, span_of(emitter, first, end));
     emitter.ticks = emitter.dispatches = 0;
     if (emitter.reached == tick) continue;
     uint64_t fresh = first;  // those after it come by seeking
@@ -271,7 +280,7 @@ void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gp
   uint32_t first_body = 0;
   for (const SpanList::Kernel& kernel : living_.kernels()) {
     pass.dispatch(
-        pipelines_.compute("effects/cards.comp", {kernel.id, bodies ? 1u : 0u}),
+        pipelines_.compute("effects/cards.comp", {kernel.id & ~kSourceBits, bodies ? 1u : 0u}),
         {{"Particles", &particles_},
          {"Spans", &living_.buffer()},
          {"Emitters", &emitter_data_},
@@ -288,7 +297,7 @@ void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gp
 std::array<uint32_t, kSources> Simulation::cards_by_source() const {
   std::array<uint32_t, kSources> result{};
   for (const EmitterState& emitter : emitters_)
-    if (emitter.wanted) result[size_t(emitter.source)] += living(emitter);
+    if (emitter.wanted) result[emitter.cards >> kSourceShift] += living(emitter);
   return result;
 }
 

@@ -61,7 +61,6 @@ class Simulation {
   struct EmitterState {
     uint32_t call;   // index into calls_
     uint32_t index;  // of the effect's emitters
-    Source source;
     uint32_t features;  // kUses...
     SpawnSchedule schedule;
     Lineage lineage;
@@ -100,7 +99,7 @@ class Simulation {
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   std::vector<CallState> calls_;
-  std::vector<EmitterState> emitters_;  // by source and kernel of cards, so that those of one stand together
+  std::vector<EmitterState> emitters_;     // by kernel of cards: those of one source stand together
   std::vector<uint32_t> emitter_of_call_;  // by call and index, into emitters_
   MotionTables tables_;
   MeshTable meshes_;
