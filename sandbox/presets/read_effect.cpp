@@ -104,8 +104,8 @@ void read_shape(TableReader& shape, Shape& out) {
 }
 
 bool is_clear(const Look& look) {
-  const auto is_zero = [](const auto& key) { return glm::vec3(key.value) == glm::vec3(0.0f); };
-  return look.opacity && std::ranges::all_of(look.opacity->keys, is_zero) &&
+  const auto is_zero = [](const Gradient::Key& key) { return key.value == glm::vec3(0.0f); };
+  return look.opacity && look.opacity->extremes().largest.value <= 0 &&
          std::ranges::all_of(look.emission.keys, is_zero);
 }
 

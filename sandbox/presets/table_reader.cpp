@@ -354,20 +354,52 @@ bool TableReader::points(std::string_view key, const Column& first, const Column
 }
 
 bool TableReader::curve(std::string_view key, Curve& value, Limits limits) {
-  if (is_array(key)) {
-    std::vector<std::array<double, 2>> rows;
-    if (!pairs(key, {"at", {0, 1}}, {"value", limits}, 1, rows)) return false;
-    value.keys.clear();
-    for (const auto& [at, v] : rows) value.keys.push_back({static_cast<float>(at), static_cast<float>(v)});
-    return true;
-  }
   const toml::node* node = find(key, Need::kOptional, "");
   if (!node) return false;
-  if (!node->is_number())
-    return wrong(key, *node, number_text(limits, false) + ", or [[at, value], …]"), false;
-  double constant = 0;
-  const bool read = read_number(key, *node, limits, false, constant);
-  if (read) value = Curve(static_cast<float>(constant));
+  const toml::array* array = node->as_array();
+  if (!array) {
+    double constant = 0;
+    if (!node->is_number())
+      return wrong(key, *node, number_text(limits, false) + ", or [[at, value], …]"), false;
+    const bool read = read_number(key, *node, limits, false, constant);
+    if (read) value = Curve(static_cast<float>(constant));
+    return read;
+  }
+  if (array->empty()) return wrong(key, *node, "a list of at least 1 [at, value]"), false;
+  const Column at{"at", {0, 1}};
+  const Limits slope{-1e6, 1e6, "a life"};
+  std::vector<Curve::Key> keys;
+  bool read = true;
+  for (const toml::node& item : *array) {
+    const toml::array* row = item.as_array();
+    if (!row || row->size() < 2 || row->size() > 4) {
+      wrong(key, item, "[at, value], [at, value, slope] or [at, value, slope before, slope after]");
+      read = false;
+      continue;
+    }
+    std::array<double, 4> v{};
+    const bool has_at = read_number("at", (*row)[0], at.limits, false, v[0]);
+    read &= read_number("value", (*row)[1], limits, false, v[1]) && has_at;
+    for (size_t i = 2; i < row->size(); ++i) read &= read_number("slope", (*row)[i], slope, false, v[i]);
+    if (!has_at) continue;
+    if (!keys.empty()) read &= ascends(at, (*row)[0], keys.back().at, v[0]);
+    Curve::Key& next = keys.emplace_back(Curve::Key{static_cast<float>(v[0]), static_cast<float>(v[1])});
+    if (row->size() > 2)
+      next.in = static_cast<float>(v[2]), next.out = static_cast<float>(v.at(row->size() - 1));
+  }
+  if (!read) return false;
+  Curve curve(std::move(keys));
+  const auto [least, largest] = curve.extremes();
+  const double slack = 1e-6 * (1 + std::abs(limits.min) + std::abs(limits.max));  // of rounding
+  for (const Curve::Place& place : {least, largest}) {
+    if (place.value >= limits.min - slack && place.value <= limits.max + slack) continue;
+    report(start_of((*array)[place.key]),
+           fmt::format(
+               "`{}` swings to {:.4g} at {:.4g} of the life, expected {} between keys too: flatter slopes",
+               key, place.value, place.at, limits_text(limits)));
+    read = false;
+  }
+  if (read) value = std::move(curve);
   return read;
 }
 

@@ -93,7 +93,7 @@ class TableReader {
   bool size(std::string_view key, glm::uvec2& value, Limits limits);
   bool range(std::string_view key, Range<float>& value, Limits limits, Need need = Need::kOptional);
   bool range(std::string_view key, Range<uint32_t>& value, Limits limits, Need need = Need::kOptional);
-  /// A number or [[at, value], …].
+  /// A number or [[at, value], …], where a key may go on with its slope, or those before and after it.
   bool curve(std::string_view key, Curve& value, Limits limits);
   /// [r, g, b] or [[at, [r, g, b]], …].
   bool gradient(std::string_view key, Gradient& value, Limits limits);

@@ -11,7 +11,7 @@ const uint kContactShift = 20u;  // what its motion has met: see kStuck and belo
 const uint kContactBits = 6u;
 const uint kGenerationShift = 26u;  // ancestors still to come
 const uint kDeadAge = (1u << kAgeBits) - 1u;
-const uint kCurveSamples = 32u;     // per curve, over normalised life
+const uint kCurveSamples = 64u;     // per curve, over normalised life
 const uint kCurvesPerEmitter = 3u;  // (radius, fade, alpha, -), (color, -), (emission, -)
 
 // Contact: what a particle has met.

@@ -50,7 +50,7 @@ texture = "soft"
 radius_m = [[0, 0.2], [1, 1.4]]
 radius_scale = [0.8, 1.2]
 cross_section_m2 = 0.35
-fade = [[0, 0], [0.1, 1], [1, 0]]
+fade = [[0, 0, 0], [0.1, 1, 2, -3], [1, 0]]
 lit = true
 color = [0.5, 0.6, 0.7]
 emission = [[0, [9, 4, 1]], [0.3, [0, 0, 0]]]
@@ -140,7 +140,12 @@ TEST(EffectReader, ReadsEveryKey) {
   EXPECT_EQ(body.look.radius_scale.min, 0.8f);
   EXPECT_EQ(body.look.cross_section_m2, 0.35f);
   EXPECT_FALSE(body.look.opacity.has_value());
-  EXPECT_EQ(body.look.fade.keys.size(), 3u);
+  ASSERT_EQ(body.look.fade.keys.size(), 3u);
+  EXPECT_EQ(body.look.fade.keys[0].out, 0.0f);
+  EXPECT_EQ(body.look.fade.keys[1].in, 2.0f);
+  EXPECT_EQ(body.look.fade.keys[1].out, -3.0f);
+  EXPECT_FALSE(body.look.fade.keys[2].in.has_value());
+  EXPECT_FALSE(body.look.radius_m.keys[1].in.has_value());
   EXPECT_TRUE(body.look.lit);
   EXPECT_EQ(body.look.color.at(1), glm::vec3(0.5f, 0.6f, 0.7f));
   EXPECT_EQ(body.look.emission.at(0), glm::vec3(9, 4, 1));

@@ -114,6 +114,13 @@ TEST(TableReader, SaysWhatWouldBeRight) {
   Curve c{0.0f};
   EXPECT_EQ(said("x = [[0.5, 1], [0.5, 2]]", [&](TableReader& top) { top.curve("x", c, kMetres); }),
             "1:17: `at` is 0.5, expected more than 0.5, the one before it\n");
+  EXPECT_EQ(
+      said("x = [[0, 1, -30], [0.5, 2]]", [&](TableReader& top) { top.curve("x", c, kMetres); }),
+      "1:6: `x` swings to -1.052 at 0.1517 of the life, expected from 0 to 10 m between keys too: flatter "
+      "slopes\n");
+  EXPECT_EQ(said("x = [[0, 1, 1, 1, 1]]", [&](TableReader& top) { top.curve("x", c, kMetres); }),
+            "1:6: `x` is a list of 5 values, expected [at, value], [at, value, slope] or [at, value, slope "
+            "before, slope after]\n");
   const std::string_view names[] = {"cone", "box"};
   EXPECT_EQ(said("x = 'coen'", [&](TableReader& top) { top.choice("x", n, names); }),
             "1:5: `x` is \"coen\", expected \"cone\" (one of \"cone\", \"box\")\n");
