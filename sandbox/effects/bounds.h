@@ -5,9 +5,13 @@
 // x' = x + v' dt, is linear with weights that are not negative. So the largest coordinate at an age follows
 // from the largest at birth, of the velocity and of the acceleration, axis by axis and tick by tick: interval
 // arithmetic here loses nothing. Gravity, buoyancy and wind are followed exactly; what depends on the place
-// (curl, vortex) counts with its largest size in every direction at once, which is what makes bounds larger
-// than clouds. Every step is widened by what rounding to floats can add to it.
-// Limits: the camera offset is left out; it does not change where on the picture a card is.
+// (curl, vortex, attractors, fields) counts with its largest size in every direction at once. Where an orbit
+// or a collision mixes axes, only the lengths of velocity and way are followed. What is born of parents
+// starts anywhere that these can be. Every step is widened by what rounding to floats can add to it.
+//
+// Limits: noise hardly ever comes near its largest size and never pushes one way for long, so emitters with
+// strong curl are seen in a small part of their bounds. A kill volume with `outside` bounds them too, and
+// well. The camera offset is left out: it does not change where on the picture a card is.
 #ifndef PLUME_EFFECTS_BOUNDS_H
 #define PLUME_EFFECTS_BOUNDS_H
 
@@ -17,6 +21,7 @@
 
 #include "sandbox/effects/effect.h"
 #include "sandbox/effects/path.h"
+#include "sandbox/scene/scene.h"
 
 namespace plume {
 
@@ -36,7 +41,8 @@ struct Placement {
   glm::vec3 position{0.0f};
   float yaw_deg = 0.0f;
   const Path* path = nullptr;
-  glm::vec3 wind{0.0f};  ///< of the scene, m/s
+  glm::vec3 wind{0.0f};                        ///< of the scene, m/s
+  const std::vector<Solid>* solids = nullptr;  ///< that particles collide with
 };
 
 /// Of every card at every tick, emitter by emitter. A fraction of a millisecond for an effect.

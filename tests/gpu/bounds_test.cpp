@@ -1,6 +1,7 @@
 // Every card the simulation makes lies within the bounds that were known before it ran.
 #include "sandbox/effects/bounds.h"
 
+#include <optional>
 #include <random>
 
 #include "sandbox/scene/view.h"
@@ -44,21 +45,30 @@ class BoundsTest : public GpuTest {
   }
 
   /// Every card at some ticks is in the bounds.
-  void check(Effect effect, int ticks, std::mt19937& random) {
+  void check(Effect effect, int ticks, std::mt19937& random, std::optional<Path> path = {},
+             const std::vector<Solid>& solids = {}) {
     uint32_t last = 0;
-    for (Emitter& emitter : effect.emitters) {
-      emitter.look.camera_offset_m = 0;
-      last = std::max(last, SpawnSchedule(emitter.spawn).last_tick());
+    for (uint32_t i = 0; i < effect.emitters.size(); ++i) {
+      effect.emitters[i].look.camera_offset_m = 0;
+      const Lineage lineage = lineage_of(effect.emitters, i);
+      const SpawnContext context{
+          .path = path ? &*path : nullptr, .per_root = lineage.per_root, .life = lineage.life};
+      last = std::max(last, SpawnSchedule(lineage.spawn, context).last_tick());
     }
-    const Bounds bounds = effect_bounds(effect, {.position = kPosition, .yaw_deg = kYaw, .wind = kWind});
+    const Bounds bounds = effect_bounds(effect, {.position = kPosition,
+                                                 .yaw_deg = kYaw,
+                                                 .path = path ? &*path : nullptr,
+                                                 .wind = kWind,
+                                                 .solids = &solids});
     Simulation simulation(device, pipelines,
                           {{.name = "test",
                             .effect = &effect,
                             .tick = 0,
                             .position = kPosition,
+                            .path = path,
                             .yaw_deg = kYaw,
                             .seed = uint32_t(random())}},
-                          5, kWind);
+                          5, kWind, solids);
     Bounds seen;
     for (int i = 0; i < ticks; ++i) {
       simulation.seek(last * uint32_t(i + 1) / uint32_t(ticks + 1));
@@ -93,52 +103,129 @@ TEST_F(BoundsTest, HoldEveryCardOfShippedEffects) {
   }
 }
 
-/// One emitter with a little of everything.
-Effect random_effect(std::mt19937& random, int number) {
-  const auto chance = [&] { return float(random() % 1000) / 999.0f; };
-  const auto between = [&](float low, float high) { return low + (high - low) * chance(); };
-  const auto sometimes = [&](float low, float high) { return random() % 2 ? between(low, high) : 0.0f; };
-  const auto vector = [&](float size) {
-    return glm::vec3(between(-size, size), between(-size, size), between(-size, size));
-  };
-  const float low = between(-3, 6);
-  const uint32_t life = 1 + uint32_t(random() % 60);
-  return {.id = "random " + std::to_string(number),
-          .emitters = {
-              {.name = "e",
-               .spawn = {.rate = {{0, 600.0}, {60, 600.0}},
-                         .life_ticks = {life, life + uint32_t(random() % 200)}},
-               .shape = {.kind = ShapeKind(random() % 6),
-                         .radius_m = between(0.01f, 2),
-                         .thickness = chance(),
-                         .size_m = glm::abs(vector(3)),
-                         .angle_deg = between(0, 90),
-                         .offset_m = vector(2)},
-               .motion = {.speed = {low, low + between(0, 8)},
-                          .velocity = vector(3),
-                          .gravity = sometimes(-1, 1),
-                          .drag = sometimes(0, 6),
-                          .wind = between(0, 2),
-                          .buoyancy = sometimes(-4, 8),
-                          .cooling_s = between(0.1f, 3),
-                          .floor_y = random() % 2 ? between(-2, 1) : -1e30f,
-                          .curl = {.strength = sometimes(0, 8),
-                                   .scale_m = between(0.2f, 4),
-                                   .speed = between(-1, 1),
-                                   .octaves = 1 + uint32_t(random() % 3)},
-                          .vortex = {.strength = sometimes(-5, 5),
-                                     .radius_m = between(0.1f, 2),
-                                     .pull = sometimes(-3, 6)}},
-               .look = {.radius_m = Curve({{0.0f, between(0.01f, 1)}, {between(0.1f, 1), between(0.01f, 1)}}),
-                        .radius_scale = {between(0.2f, 1), between(1, 2)},
-                        .opacity = 1.0f,
-                        .spin_deg_s = {-90, 90},
-                        .stretch_s = sometimes(0, 0.2f)}}}};
+/// Numbers for effects that nobody would draw.
+class Dice {
+ public:
+  explicit Dice(std::mt19937& random) : random_(random) {}
+  uint32_t below(uint32_t n) { return uint32_t(random_() % n); }
+  float between(float low, float high) { return low + (high - low) * float(below(1000)) / 999.0f; }
+  float sometimes(float low, float high) { return below(2) ? between(low, high) : 0.0f; }
+  glm::vec3 vector(float size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
+
+ private:
+  std::mt19937& random_;
+};
+
+/// A little of everything that pushes.
+Motion random_motion(Dice& dice) {
+  const float low = dice.between(-3, 6);
+  return {.speed = {low, low + dice.between(0, 8)},
+          .velocity = dice.vector(3),
+          .gravity = dice.sometimes(-1, 1),
+          .drag = dice.sometimes(0, 6),
+          .wind = dice.between(0, 2),
+          .buoyancy = dice.sometimes(-4, 8),
+          .cooling_s = dice.between(0.1f, 3),
+          .floor_y = dice.below(2) ? dice.between(-2, 1) : -1e30f,
+          .curl = {.strength = dice.sometimes(0, 8),
+                   .scale_m = dice.between(0.2f, 4),
+                   .speed = dice.between(-1, 1),
+                   .octaves = 1 + dice.below(3)},
+          .vortex = {.strength = dice.sometimes(-5, 5),
+                     .radius_m = dice.between(0.1f, 2),
+                     .pull = dice.sometimes(-3, 6)}};
+}
+
+Emitter random_emitter(Dice& dice) {
+  const uint32_t life = 1 + dice.below(60);
+  return {.name = "e",
+          .spawn = {.rate = {{0, 600.0}, {60, 600.0}}, .life_ticks = {life, life + dice.below(200)}},
+          .shape = {.kind = ShapeKind(dice.below(6)),
+                    .radius_m = dice.between(0.01f, 2),
+                    .thickness = dice.between(0, 1),
+                    .size_m = glm::abs(dice.vector(3)),
+                    .angle_deg = dice.between(0, 90),
+                    .offset_m = dice.vector(2)},
+          .motion = random_motion(dice),
+          .look = {.radius_m = Curve(
+                       {{0.0f, dice.between(0.01f, 1)}, {dice.between(0.1f, 1), dice.between(0.01f, 1)}}),
+                   .radius_scale = {dice.between(0.2f, 1), dice.between(1, 2)},
+                   .opacity = 1.0f,
+                   .spin_deg_s = {-90, 90},
+                   .stretch_s = dice.sometimes(0, 0.2f)}};
+}
+
+Effect random_effect(Dice& dice, int number) {
+  return {.id = "random " + std::to_string(number), .emitters = {random_emitter(dice)}};
 }
 
 TEST_F(BoundsTest, HoldEveryCardOfRandomEffects) {
   std::mt19937 random(2);
-  for (int i = 0; i < 50; ++i) check(random_effect(random, i), 5, random);
+  Dice dice(random);
+  for (int i = 0; i < 50; ++i) check(random_effect(dice, i), 5, random);
+}
+
+TEST_F(BoundsTest, HoldWhatIsAttractedTurnedKilledAndDisplaced) {
+  std::mt19937 random(3);
+  Dice dice(random);
+  const auto grid = std::make_shared<FieldGrid>(FieldGrid{
+      .size = {2, 1, 1}, .low = glm::vec3(-3), .high = glm::vec3(3), .cells = {{4, 0, 1}, {0, -3, 2}}});
+  for (int i = 0; i < 12; ++i) {
+    Effect effect = random_effect(dice, i);
+    Motion& motion = effect.emitters[0].motion;
+    motion.orbit = dice.sometimes(-1, 1);
+    if (dice.below(2)) motion.attractors = {{dice.vector(3), dice.vector(3), dice.between(-9, 9), 0.5f}};
+    if (dice.below(2)) motion.field = VectorField{.grid = grid, .use = VectorField::Use(dice.below(2))};
+    if (dice.below(2))
+      motion.kill = {{.position_m = dice.vector(1), .size_m = glm::vec3(5), .outside = true}};
+    if (dice.below(2)) motion.kill.push_back({.kind = KillVolume::Kind::kPlane, .position_m = {0, -2, 0}});
+    motion.curl_displacement = {.amplitude_m = dice.sometimes(0, 1), .scale_m = 0.7f, .octaves = 2};
+    std::optional<Path> path;
+    if (dice.below(2)) path = Path({{0, {0, 0, 0}}, {20, dice.vector(5)}, {50, dice.vector(5)}});
+    check(effect, 5, random, path);
+  }
+}
+
+TEST_F(BoundsTest, HoldWhatCollides) {
+  std::mt19937 random(4);
+  Dice dice(random);
+  const std::vector<Solid> solids = {
+      {.kind = SolidKind::kPlane, .position = {0, -1, 0}, .size_m = {20, 0, 20}},
+      {.kind = SolidKind::kBox, .position = {1, 0, 0}, .size_m = {2, 1, 3}, .yaw_deg = 20},
+      {.kind = SolidKind::kSphere, .position = {-1, 1, 0}, .radius_m = 1},
+      {.kind = SolidKind::kCapsule, .position = {0, 2, 2}, .end = {3, 3, 2}, .radius_m = 0.5f}};
+  for (int i = 0; i < 12; ++i) {
+    Effect effect = random_effect(dice, i);
+    Motion& motion = effect.emitters[0].motion;
+    motion.curl.strength = 0;  // it would hide what collisions do
+    motion.orbit = dice.below(4) ? 0.0f : 0.5f;
+    motion.collision = Collision{.response = CollisionResponse(dice.below(4)),
+                                 .bounce = dice.between(0, 1),
+                                 .friction = dice.sometimes(0, 1),
+                                 .radius_m = dice.sometimes(0, 0.2f)};
+    check(effect, 5, random, {}, solids);
+  }
+}
+
+TEST_F(BoundsTest, HoldChildren) {
+  std::mt19937 random(5);
+  Dice dice(random);
+  for (int i = 0; i < 12; ++i) {
+    Effect effect = random_effect(dice, i);
+    effect.emitters[0].spawn = {.bursts = {{0, 5}, {7, 5}}, .life_ticks = {20, 60}};
+    for (uint32_t parent = 0; parent < 1 + i % 2u; ++parent) {
+      Emitter child = random_emitter(dice);
+      child.spawn = {.life_ticks = {10, 40}};
+      child.parent = Parent{.index = parent,
+                            .event = BirthEvent(dice.below(3)),
+                            .count = 3,
+                            .first_tick = 2,
+                            .every_ticks = 5,
+                            .inherit_velocity = dice.between(-1, 2)};
+      effect.emitters.push_back(child);
+    }
+    check(effect, 5, random);
+  }
 }
 
 }  // namespace
