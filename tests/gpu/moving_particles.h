@@ -64,12 +64,9 @@ class MovingParticles : public GpuTest {
     return states;
   }
 
-  static bool is_dead(const shared::Particle& p) {
-    constexpr uint32_t kDeadAge = (1u << shared::kAgeBits) - 1;
-    return (p.age_and_contact & kDeadAge) == kDeadAge;
-  }
+  static bool is_dead(const shared::Particle& p) { return (p.state & shared::kDeadAge) == shared::kDeadAge; }
   static uint32_t contact_of(const shared::Particle& p) {
-    return (p.age_and_contact >> shared::kAgeBits) & ((1u << shared::kContactBits) - 1);
+    return (p.state >> shared::kContactShift) & ((1u << shared::kContactBits) - 1);
   }
   static uint32_t collisions_of(const shared::Particle& p) { return contact_of(p) / shared::kOneCollision; }
 };
