@@ -42,9 +42,9 @@ struct Directed {
 };
 
 void add(inout Directed sum, vec3 light, vec3 towards, vec3 albedo, float tau) {
-  const vec3 direct = light * direct_share(tau), scattered = light * albedo * scattered_share(tau);
-  sum.light += direct + scattered;
-  sum.mean += towards * dot(direct + kForward * scattered, kLuminance);
+  const vec3 arriving = light * (direct_share(tau) + albedo * scattered_share(tau));
+  sum.light += arriving;
+  sum.mean += towards * dot(arriving, kLuminance);
 }
 
 void main() {

@@ -2,7 +2,7 @@
 // light_integrate.comp) holds the optical depth tau between the sun and any point, a second one that between the zenith and the point.
 //   directly from the light:        exp(-tau)                                   (Beer and Lambert)
 //   scattered or not:               1 / (1 + 3/4 (1 - g) tau)                   (two-stream diffusion, scattering without loss)
-// The difference is light that was scattered on the way: it keeps a share g of its direction, and its colour times the albedo.
+// The difference is light that was scattered on the way: mostly forwards, so it counts as from the same side, times the albedo.
 // A fire is a ball of radiance: irradiance / pi at distance d is P / (d^2 + R^2), the inverse square far away and its own radiance in it.
 // Limits: smoke is gray for shadows; puffs are spread over cells (see light_grid.comp); fires shine through solids, and on solids through
 // smoke; smoke that is asleep casts nothing.

@@ -30,6 +30,9 @@ zenith = [0.1, 0.2, 0.3]
 horizon = [0.4, 0.5, 0.6]
 sun_direction = [0, 3, 4]
 sun_color = [2, 2, 1]
+self_shadow = false
+shadow_cells = 64
+fire_light = 2.5
 
 [depth_of_field]
 focus_m = 4.5
@@ -122,6 +125,9 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_FLOAT_EQ(scene.light.sun_direction.y, 0.6f);
   EXPECT_FLOAT_EQ(scene.light.sun_direction.z, 0.8f);
   EXPECT_EQ(scene.light.sun_color, glm::vec3(2, 2, 1));
+  EXPECT_FALSE(scene.light.self_shadow);
+  EXPECT_EQ(scene.light.shadow_cells, 64u);
+  EXPECT_EQ(scene.light.fire_light, 2.5f);
   ASSERT_TRUE(scene.depth_of_field);
   EXPECT_EQ(scene.depth_of_field->focus_m, 4.5f);
   EXPECT_EQ(scene.depth_of_field->aperture_mm, 80.0f);
