@@ -9,6 +9,12 @@
 
 namespace plume {
 
+/// Scene ticks between which the time of an instance is stopped by hand: at `until` it still is what it was
+/// at `from`.
+struct Freeze {
+  uint32_t from, until;
+};
+
 class Clock {
  public:
   explicit Clock(uint32_t call_tick) : call_tick_(call_tick) {}
@@ -19,6 +25,7 @@ class Clock {
   bool stood_still(uint32_t tick) const;
   /// It stands still at ticks first .. end - 1, as well as where it did already.
   void stand_still(uint32_t first, uint32_t end);
+  void freeze(const Freeze& freeze) { stand_still(freeze.from + 1, freeze.until + 1); }
   /// It does not stand still at `tick` or later: what was known of the future is forgotten.
   void forget_from(uint32_t tick);
 

@@ -19,6 +19,8 @@ namespace plume {
 constexpr int kTicksPerSecond = 60;
 constexpr uint32_t kMaxTick = 20'000'000;  ///< of anything that a file or a command line names: 3.9 days
 
+constexpr uint32_t kMaxLife = 36'000;  ///< ticks that a particle can live: 10 minutes
+
 /// An inclusive range that each particle draws one value from, uniformly.
 template <class Value>
 struct Range {

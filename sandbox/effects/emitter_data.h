@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "sandbox/effects/clock.h"
 #include "sandbox/effects/effect.h"
 #include "sandbox/effects/mesh_table.h"
 #include "sandbox/effects/path.h"
@@ -18,6 +19,7 @@ struct Call {
   const Effect* effect;
   uint32_t tick;                           ///< of the scene
   std::optional<uint32_t> stop_tick = {};  ///< of the scene: nothing is born from here on
+  std::vector<Freeze> freezes = {};
   glm::vec3 position;
   std::optional<Path> path = {};  ///< that it goes from there
   float yaw_deg;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sandbox/effects/lineage.h"
+#include "sandbox/effects/influence.h"
 
 namespace plume {
 namespace {
@@ -47,20 +47,32 @@ uint32_t cards_kernel(const Emitter& emitter) {
          (features_of(emitter) & shared::kUsesDisplacement);
 }
 
+bool sees(const Views& views, const Bounds& bounds) {
+  return !views ||
+         std::ranges::any_of(*views, [&](const ViewVolume& view) { return may_touch(view, bounds); });
+}
+
 }  // namespace
 
 Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls,
-                       uint32_t scene_seed, glm::vec3 wind, const std::vector<Solid>& solids)
+                       uint32_t scene_seed, glm::vec3 wind, const std::vector<Solid>& solids,
+                       glm::vec3 sun_direction)
     : device_(device), pipelines_(pipelines), tables_(solids) {
   struct Member {
     uint32_t call, index;
     uint32_t cards;
   };
   std::vector<Member> members;
+  std::vector<std::vector<Bounds>> drawn;  // by call and emitter
   for (Call& call : calls) {
+    drawn.push_back(emitter_bounds(*call.effect, {.position = call.position,
+                                                  .yaw_deg = call.yaw_deg,
+                                                  .path = call.path ? &*call.path : nullptr,
+                                                  .wind = wind}));
     for (uint32_t e = 0; e < call.effect->emitters.size(); ++e)
       members.push_back({uint32_t(calls_.size()), e, cards_kernel(call.effect->emitters[e])});
     Clock clock(call.tick);
+    for (const Freeze& freeze : call.freezes) clock.freeze(freeze);
     calls_.push_back({.call = std::move(call),
                       .clock = std::move(clock),
                       .first_emitter = uint32_t(members.size() - call.effect->emitters.size()),
@@ -84,6 +96,7 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
                          .lineage = lineage,
                          .data = emitter_data(state.call, index, scene_seed, wind, meshes_),
                          .curves = bake_curves(emitters[index].look)});
+    emitters_.back().bounds = influence(emitters[index].look, drawn[call][index], sun_direction);
     tables_.fill(emitters[index], emitters_.back().data);
     state.last_tick = std::max(state.last_tick, emitters_.back().schedule.last_tick());
   }
@@ -92,11 +105,36 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
   meshes_.upload(device);
 }
 
-/// Its own tick when it is awake at `tick` of the scene.
-std::optional<uint32_t> Simulation::wanted_tick(const EmitterState& emitter, uint32_t tick) const {
-  const std::optional<uint32_t> local = calls_[emitter.call].clock.local(tick);
-  if (!local || emitter.schedule.births(*local) == emitter.schedule.first_alive(*local)) return {};
-  return local;
+bool Simulation::is_seen(uint32_t call, const Views& views) const {
+  const size_t first = calls_[call].first_emitter, count = calls_[call].call.effect->emitters.size();
+  for (size_t i = first; i < first + count; ++i)
+    if (sees(views, emitters_[emitter_of_call_[i]].bounds)) return true;
+  return false;
+}
+
+/// Between the tick before and this one time stood still for what pauses off screen where nobody saw it.
+/// Going back forgets what came later.
+void Simulation::pass_time(uint32_t tick, const Views& views) {
+  for (uint32_t i = 0; i < calls_.size(); ++i) {
+    CallState& call = calls_[i];
+    if (call.call.effect->off_screen != OffScreen::kPause) continue;
+    if (tick_ && *tick_ > tick) {
+      call.clock.forget_from(tick + 1);
+      for (const Freeze& freeze : call.call.freezes) call.clock.freeze(freeze);
+    }
+    for (uint32_t t = std::max(tick_.value_or(0), call.call.tick) + 1; t <= tick; ++t)
+      if (!is_seen(i, t < tick && script_ ? script_(t) : views)) call.clock.stand_still(t, t + 1);
+  }
+}
+
+void Simulation::set_frozen(uint32_t call, bool frozen) {
+  calls_.at(call).clock.forget_from(tick() + 1);
+  if (frozen) calls_[call].clock.freeze({tick(), UINT32_MAX - 1});
+}
+
+/// Whether anything can be alive at the emitter's own tick.
+bool Simulation::has_living(const EmitterState& emitter, uint32_t tick) const {
+  return emitter.schedule.births(tick) > emitter.schedule.first_alive(tick);
 }
 
 /// Gives every emitter that is awake its slots. Those that were awake before keep their particles: returns
@@ -235,10 +273,14 @@ void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& lis
                   {gpu::groups(kernel.threads, kGroupSize), 1, 1});
 }
 
-std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
+std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick, const Views& views) {
+  const bool jumped = !tick_ || tick != *tick_ + 1;
+  pass_time(tick, views);
   bool moved = false;
   for (EmitterState& emitter : emitters_) {
-    emitter.wanted = wanted_tick(emitter, tick);
+    const std::optional<uint32_t> local = calls_[emitter.call].clock.local(tick);
+    emitter.seen = sees(views, emitter.bounds);
+    emitter.wanted = local && emitter.seen && has_living(emitter, *local) ? local : std::nullopt;
     moved |= emitter.wanted.has_value() != emitter.reached.has_value();
   }
   gpu::Buffer old;
@@ -250,7 +292,7 @@ std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick) {
   }
   plan();
   tick_ = tick;
-  count_demand(tick);
+  count_demand(tick, jumped);
   if (kept.empty() && steps_.empty() && seeks_.empty()) return {};
   gpu::Frame frame(device_, pipelines_);
   if (!kept.empty())
@@ -342,28 +384,55 @@ uint64_t Simulation::state_hash() const {
   return hash;
 }
 
-void Simulation::count_demand(uint32_t tick) {
-  std::vector<uint64_t> counts(calls_.size()), ticks(calls_.size()), dispatches(calls_.size());
-  for (CallState& call : calls_) call.demand.awake = false, call.demand.bytes = 0;
+std::string Simulation::why_asleep(const CallState& call, uint32_t tick) const {
+  const std::optional<uint32_t> local = call.clock.local(tick);
+  if (!local) return fmt::format("starts at tick {}", call.call.tick);
+  if (*local > call.last_tick) return fmt::format("finished at its tick {}", call.last_tick);
+  bool living = false;
+  for (uint32_t e = 0; e < call.call.effect->emitters.size(); ++e)
+    living |= has_living(emitters_[emitter_of_call_[call.first_emitter + e]], *local);
+  if (!living) return "between births";
+  return call.clock.stood_still(tick) ? fmt::format("out of view, stopped at its tick {}", *local)
+                                      : "out of view";
+}
+
+/// `jumped`: this tick does not follow the one before.
+void Simulation::count_demand(uint32_t tick, bool jumped) {
+  struct Count {
+    uint64_t living = 0, ticks = 0, ticks_saved = 0, dispatches = 0;
+    bool resident = false;
+  };
+  std::vector<Count> counts(calls_.size());
+  for (CallState& call : calls_) call.demand.bytes = call.demand.bytes_saved = 0;
   for (const EmitterState& emitter : emitters_) {
-    if (!emitter.wanted) continue;
+    const CallState& call = calls_[emitter.call];
     InstanceDemand& demand = calls_[emitter.call].demand;
-    demand.awake = true;
-    demand.bytes += uint64_t(emitter.slots()) * sizeof(Particle);
-    counts[emitter.call] += living(emitter);
-    ticks[emitter.call] = std::max<uint64_t>(ticks[emitter.call], emitter.ticks);
-    dispatches[emitter.call] = std::max<uint64_t>(dispatches[emitter.call], emitter.dispatches);
+    Count& count = counts[emitter.call];
+    const uint64_t bytes = uint64_t(emitter.slots()) * sizeof(Particle);
+    if (emitter.wanted) {
+      demand.bytes += bytes;
+      count.resident = true;
+      count.living += living(emitter);
+      count.ticks = std::max<uint64_t>(count.ticks, emitter.ticks);
+      count.dispatches = std::max<uint64_t>(count.dispatches, emitter.dispatches);
+    } else if (const auto local = call.clock.local(tick); local && has_living(emitter, *local)) {
+      demand.bytes_saved += bytes;
+      count.ticks_saved =
+          std::max<uint64_t>(count.ticks_saved, jumped ? std::min(*local + 1, emitter.lineage.life) : 1);
+    }
   }
   for (size_t i = 0; i < calls_.size(); ++i) {
-    const auto& [call, clock, first_emitter, last_tick, ignored] = calls_[i];
-    InstanceDemand& demand = calls_[i].demand;
-    demand.dispatches += dispatches[i];
-    demand.ticks_simulated += ticks[i];
-    const std::optional<uint32_t> local = clock.local(tick);
-    demand.why = demand.awake         ? fmt::format("has {} particles", counts[i])
-                 : !local             ? fmt::format("starts at tick {}", call.tick)
-                 : *local > last_tick ? fmt::format("finished at tick {}", call.tick + last_tick)
-                                      : "between births";
+    CallState& call = calls_[i];
+    InstanceDemand& demand = call.demand;
+    const Count& count = counts[i];
+    demand.dispatches += count.dispatches;
+    demand.ticks_simulated += count.ticks;
+    demand.ticks_saved += count.ticks_saved;
+    const bool frozen = count.resident && count.ticks == 0 && call.clock.stood_still(tick);
+    demand.awake = count.resident && !frozen;
+    demand.why = frozen           ? fmt::format("frozen at its tick {}", *call.clock.local(tick))
+                 : count.resident ? fmt::format("has {} particles", count.living)
+                                  : why_asleep(call, tick);
   }
 }
 

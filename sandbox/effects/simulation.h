@@ -15,21 +15,34 @@
 #include "sandbox/effects/motion_tables.h"
 #include "sandbox/effects/span_list.h"
 #include "sandbox/effects/spawn_schedule.h"
+#include "sandbox/effects/view_volume.h"
 
 namespace plume {
+
+/// All cameras that look at a tick; nothing: everything is seen.
+using Views = std::optional<std::vector<ViewVolume>>;
+inline const Views kEverything{};
 
 class Simulation {
  public:
   /// `calls` point at effects that outlive the simulation. Particles collide with `solids`.
   Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls, uint32_t scene_seed,
-             glm::vec3 wind, const std::vector<Solid>& solids = {});
+             glm::vec3 wind, const std::vector<Solid>& solids = {},
+             glm::vec3 sun_direction = {0.0f, 1.0f, 0.0f});
 
-  /// Makes `tick` the current one: each emitter takes the shorter road. Waits for the device. Returns the
-  /// passes it took.
-  std::vector<gpu::PassTime> go_to(uint32_t tick);
+  /// Who looks at a tick that go_to() passes over: decides whether time passes there for effects that pause
+  /// off screen. Nothing: whoever looks at the tick that is gone to.
+  void watch_by(std::function<Views(uint32_t tick)> script) { script_ = std::move(script); }
+  /// Makes `tick` the current one for what `views` see: each emitter takes the shorter road, the others
+  /// sleep. Waits for the device. Returns the passes it took.
+  std::vector<gpu::PassTime> go_to(uint32_t tick, const Views& views);
+  /// Everything is seen.
+  std::vector<gpu::PassTime> go_to(uint32_t tick) { return go_to(tick, kEverything); }
   /// The two roads by name. step() goes to the next tick; any tick must have been reached before.
   std::vector<gpu::PassTime> seek(uint32_t tick);
   std::vector<gpu::PassTime> step() { return go_to(tick() + 1); }
+  /// Stops the time of a call after the present tick, by hand, or lets it go on.
+  void set_frozen(uint32_t call, bool frozen);
 
   uint32_t tick() const { return tick_.value(); }
   /// Cards that record_cards() writes: the living, the just dead and those not born yet.
@@ -59,14 +72,17 @@ class Simulation {
 
  private:
   struct EmitterState {
-    uint32_t call;   // index into calls_
-    uint32_t index;  // of the effect's emitters
+    uint32_t call;      // index into calls_
+    uint32_t index;     // of the effect's emitters
+    uint32_t cards;     // kernel that draws it, which begins with its source
     uint32_t features;  // kUses...
     SpawnSchedule schedule;
     Lineage lineage;
     shared::EmitterData data;
     CurveTable curves;
+    Bounds bounds;  // of its influence
 
+    bool seen = true;                      // at this tick
     std::optional<uint32_t> wanted = {};   // its own tick that is asked for; nothing: it sleeps
     std::optional<uint32_t> reached = {};  // that of its particles in the pool
     uint32_t base = 0;                     // its first slot there
@@ -85,7 +101,10 @@ class Simulation {
   const EmitterState& emitter_of(uint32_t call, uint32_t index) const {
     return emitters_[emitter_of_call_[calls_[call].first_emitter + index]];
   }
-  std::optional<uint32_t> wanted_tick(const EmitterState& emitter, uint32_t tick) const;
+  void pass_time(uint32_t tick, const Views& views);
+  bool is_seen(uint32_t call, const Views& views) const;
+  bool has_living(const EmitterState& emitter, uint32_t tick) const;
+  std::string why_asleep(const CallState& call, uint32_t tick) const;
   std::vector<vk::BufferCopy> lay_out_pool();
   void fill_tables();
   void plan();
@@ -94,7 +113,7 @@ class Simulation {
   void add_seek(const EmitterState& emitter, uint64_t first, uint64_t end);
   gpu::Bindings mesh_bindings() const;
   void record(gpu::Pass& pass, const char* shader, const SpanList& list) const;
-  void count_demand(uint32_t tick);
+  void count_demand(uint32_t tick, bool jumped);
 
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
@@ -110,6 +129,7 @@ class Simulation {
   SpanList steps_;                // those that go on from the tick before
   SpanList seeks_;                // those that are brought to this tick from their births
   std::optional<uint32_t> tick_;
+  std::function<Views(uint32_t tick)> script_;
 };
 
 }  // namespace plume

@@ -7,8 +7,9 @@
 
 #include "renderer/parameters.h"
 #include "sandbox/effects/spawn_schedule.h"
-#include "sandbox/presets/read_motion.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/read_motion.h"
+#include "sandbox/presets/read_parent.h"
 #include "sandbox/presets/table_reader.h"
 
 namespace plume {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::string_view kShapes[] = {"point", "sphere", "hemisphere", "box",
                                         "cone",  "ring",   "line",       "mesh"};
+constexpr std::string_view kOffScreen[] = {"continue", "pause"};
 constexpr std::string_view kTextures[] = {"puff", "disc", "soft"};
 
 constexpr size_t kMaxEmitters = 64;
@@ -49,7 +51,7 @@ void read_spawn(TableReader& spawn, Spawn& out) {
   for (const auto& [tick, count] : bursts)
     out.bursts.push_back({static_cast<uint32_t>(tick), static_cast<uint32_t>(count)});
   spawn.number("per_metre", out.per_metre, {0, 10'000, "particles a metre"});
-  spawn.range("life", out.life_ticks, {1, 36'000, "ticks"}, Need::kRequired);
+  spawn.range("life", out.life_ticks, {1, kMaxLife, "ticks"}, Need::kRequired);
   if (spawn.mistakes() > before) return;
 
   const char* most = spawn.has("rate") ? "rate" : "bursts";
@@ -162,6 +164,7 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
   read_document(text, file, [&](TableReader& top) {
     top.text("name", effect.name, Need::kRequired);
     top.text("description", effect.description);
+    top.choice("off_screen", effect.off_screen, kOffScreen);
     top.tables("layer", kMaxEmitters, [&](TableReader& table) {
       Layer layer;
       table.text("name", layer.name, Need::kRequired);
@@ -176,8 +179,15 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
         [&](TableReader& table) {
           Emitter emitter;
           table.text("name", emitter.name, Need::kRequired);
+          const bool is_child = table.table(
+              "parent", [&](TableReader& parent) { emitter.parent = read_parent(parent, effect.emitters); });
           table.table(
-              "spawn", [&](TableReader& spawn) { read_spawn(spawn, emitter.spawn); }, Need::kRequired);
+              "spawn",
+              [&](TableReader& spawn) {
+                is_child ? read_spawn_of_child(spawn, effect.emitters, emitter)
+                         : read_spawn(spawn, emitter.spawn);
+              },
+              Need::kRequired);
           table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
           table.table("motion", [&](TableReader& motion) { read_motion(motion, fields, emitter.motion); });
           table.table(

@@ -107,6 +107,15 @@ Instance read_instance(TableReader& table, const std::string& file) {
   if (instance.call_tick && instance.stop_tick && *instance.stop_tick <= *instance.call_tick)
     table.report("stop_tick", fmt::format("`stop_tick` is {}, expected more than `call_tick`, {}",
                                           *instance.stop_tick, *instance.call_tick));
+  std::vector<std::array<double, 2>> freezes;
+  table.pairs("freeze", {"from", kTick, true}, {"until", kTick, true}, 1, freezes);
+  for (const auto& [from, until] : freezes) {
+    if (until <= from || (!instance.freezes.empty() && from < instance.freezes.back().until))
+      table.report("freeze", fmt::format("`freeze` holds [{}, {}], expected spans one after the other, each "
+                                         "until a later tick than it begins",
+                                         from, until));
+    instance.freezes.push_back({static_cast<uint32_t>(from), static_cast<uint32_t>(until)});
+  }
   table.vector("position", instance.position, kPlace);
   std::vector<std::pair<double, glm::vec3>> way;
   if (table.points("path", {"tick", kTick, true}, {"[x, y, z]", kPlace}, {2, kMaxPathKeys}, way)) {

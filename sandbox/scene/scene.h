@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sandbox/effects/clock.h"
 #include "sandbox/effects/path.h"
 
 namespace plume {
@@ -95,6 +96,7 @@ struct Instance {
   FilePosition effect_at;
   std::optional<uint32_t> call_tick;  ///< nothing: declared but not called; costs nothing
   std::optional<uint32_t> stop_tick;  ///< nothing is born from here on; what lives goes on
+  std::vector<Freeze> freezes;        ///< one after the other
   glm::vec3 position{0.0f};
   std::optional<Path> path;  ///< where it goes from there
   float yaw_deg = 0.0f;

@@ -33,6 +33,7 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
                      .effect = &effect->second,
                      .tick = *instance.call_tick,
                      .stop_tick = instance.stop_tick,
+                     .freezes = instance.freezes,
                      .position = instance.position,
                      .path = instance.path,
                      .yaw_deg = instance.yaw_deg,
@@ -49,7 +50,8 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
                                     .cells = scene_.light.shadow_cells,
                                     .fire_gain = scene_.light.fire_light},
                     glowing);
-  simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind, scene_.solids);
+  simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind, scene_.solids,
+                      scene_.light.sun_direction);
   for (const Pane& pane : scene_.panes)
     (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
 }
@@ -96,13 +98,16 @@ void Stage::set_draw_order(const std::vector<uint32_t>& order) {
 }
 
 std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera) {
-  auto times = simulation_->go_to(tick);
-  lighting_->fit(simulation_->cards_by_emitter(), simulation_->cards());
   // A camera of one's own has no motion of its own: it is where it is for as long as one looks.
   const std::optional<CameraKey> previous =
       camera ? std::nullopt : std::optional(camera_at(scene_.camera, std::max(tick, 1u) - 1));
   view_.mapped<shared::ViewData>()[0] =
       make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick, previous);
+  simulation_->watch_by([this, size](uint32_t t) {
+    return std::vector{view_volume(make_view(scene_, camera_at(scene_.camera, t), size, t, {}))};
+  });
+  auto times = simulation_->go_to(tick, std::vector{view_volume(view_.mapped<shared::ViewData>()[0])});
+  lighting_->fit(simulation_->cards_by_emitter(), simulation_->cards());
   fit_cards(uint32_t(scalar_panes_.size() + rgb_panes_.size()) + simulation_->cards());
   if (!in_order_) {
     std::vector<uint32_t> identity(capacity_);
