@@ -57,13 +57,25 @@ Box turn(const Box& v, float yaw_deg) {
   return {v[0] * c + v[2] * s, v[1], v[2] * c + v[0] * minus_s};
 }
 
-/// All of them but boxes, as far as a box about them can tell.
+/// Turning the instance does not change a box about it.
 bool is_round_about_y(const Shape& shape) {
-  return shape.kind != ShapeKind::kBox;
+  using enum ShapeKind;
+  return shape.kind != kBox && shape.kind != kLine && shape.kind != kMesh;
+}
+
+Box mesh_places(const Effect& effect, const Shape& shape) {
+  const auto mesh = std::ranges::find(effect.meshes, shape.mesh.id, &Mesh::id);
+  if (mesh == effect.meshes.end() || mesh->triangles.empty()) return {};
+  Box box = exactly(mesh->triangles.front().front());
+  for (const auto& triangle : mesh->triangles)
+    for (const glm::vec3 corner : triangle)
+      for (int c = 0; c < 3; ++c) join(box[c], exactly(corner[c]));
+  for (Interval& axis : box) axis = axis * exactly(shape.scale);
+  return box;
 }
 
 /// Places of birth about the shape's middle; the instance's frame.
-Box birth_places(const Shape& shape) {
+Box birth_places(const Effect& effect, const Shape& shape) {
   const Interval round = around(shape.radius_m);
   switch (shape.kind) {
     case ShapeKind::kPoint:
@@ -77,6 +89,13 @@ Box birth_places(const Shape& shape) {
     case ShapeKind::kCone:
     case ShapeKind::kRing:
       return {round, {}, round};
+    case ShapeKind::kLine: {
+      Box box{};
+      for (int c = 0; c < 3; ++c) join(box[c], exactly(shape.to_m[c]));
+      return box;
+    }
+    case ShapeKind::kMesh:
+      return mesh_places(effect, shape);
   }
   return {};
 }
@@ -87,6 +106,7 @@ Box outwards(const Shape& shape) {
   switch (shape.kind) {
     case ShapeKind::kPoint:
     case ShapeKind::kSphere:
+    case ShapeKind::kMesh:
       return {any, any, any};
     case ShapeKind::kHemisphere:
       return {any, {0, 1}, any};
@@ -98,6 +118,11 @@ Box outwards(const Shape& shape) {
     }
     case ShapeKind::kRing:
       return {any, {}, any};
+    case ShapeKind::kLine: {  // across it
+      const glm::dvec3 along = glm::normalize(glm::dvec3(shape.to_m));
+      const auto across = [](double d) { return around(std::sqrt(std::max(0.0, 1 - d * d)) + 1e-6); };
+      return {across(along.x), across(along.y), across(along.z)};
+    }
   }
   return {any, any, any};
 }
@@ -294,19 +319,20 @@ struct Mixed {
   }
 };
 
-struct Reach {
+struct Journey {
   Box drawn;    // corners of cards
   Cloud cloud;  // of all ages, the one at which a particle dies included: where children may be born
 };
 
-Reach reach_of(const Emitter& emitter, const Placement& placement, const Cloud* parents) {
+Journey journey_of(const Effect& effect, const Emitter& emitter, const Placement& placement,
+                   const Cloud* parents) {
   const Shape& shape = emitter.shape;
   const Motion& motion = emitter.motion;
   const Look& look = emitter.look;
   const float yaw = placement.yaw_deg, shape_yaw = is_round_about_y(shape) ? 0.0f : yaw;
   const Box origin =
       exactly(placement.position) + path_places(placement.path) + turn(exactly(shape.offset_m), yaw);
-  const Box births = turn(birth_places(shape), shape_yaw);
+  const Box births = turn(birth_places(effect, shape), shape_yaw);
   Box outward = outwards(shape);
   for (Interval& axis : outward) axis = axis * Interval{motion.speed.min, motion.speed.max};
   Cloud cloud{(parents ? parents->places : origin) + births,
@@ -346,13 +372,13 @@ Reach reach_of(const Emitter& emitter, const Placement& placement, const Cloud* 
   const CardSizes sizes(look, emitter.spawn.life_ticks);
   const double displaced =
       most_turbulence(motion.curl_displacement.amplitude_m, motion.curl_displacement.octaves);
-  Reach reach{cloud.places, cloud};
+  Journey journey{cloud.places, cloud};
   double buoyancy = motion.buoyancy;
   for (uint32_t age = 0;; ++age) {
     const double v = length_of(cloud.velocities, {true, true, true});
     const double radius = sizes.radius(age);
     const Interval card = around(std::hypot(radius, radius + v * double(look.stretch_s)) + displaced);
-    for (int c = 0; c < 3; ++c) join(reach.drawn[c], cloud.places[c] + card);
+    for (int c = 0; c < 3; ++c) join(journey.drawn[c], cloud.places[c] + card);
 
     const Box steady{Interval{}, exactly(buoyancy - kStandardGravity * double(motion.gravity)), Interval{}};
     buoyancy *= cooling;
@@ -362,13 +388,13 @@ Reach reach_of(const Emitter& emitter, const Placement& placement, const Cloud* 
       if (!mixed.axes[c]) step_axis(cloud.places[c], cloud.velocities[c], acceleration[c], wind[c], slowing);
     mixed.place(cloud);
     lift(cloud.places[1], cloud.velocities[1], motion.floor_y);
-    for (int c = 0; c < 3; ++c) join(reach.cloud.places[c], cloud.places[c]);
-    for (int c = 0; c < 3; ++c) join(reach.cloud.velocities[c], cloud.velocities[c]);
-    if (age + 1 >= emitter.spawn.life_ticks.max) return reach;
+    for (int c = 0; c < 3; ++c) join(journey.cloud.places[c], cloud.places[c]);
+    for (int c = 0; c < 3; ++c) join(journey.cloud.velocities[c], cloud.velocities[c]);
+    if (age + 1 >= emitter.spawn.life_ticks.max) return journey;
     for (int c = 0; c < 3; ++c) {
       Interval& place = cloud.places[c];
       place = {std::max(place.low, limits[c].low), std::min(place.high, limits[c].high)};
-      if (place.low > place.high) return reach;  // none is left
+      if (place.low > place.high) return journey;  // none is left
     }
   }
 }
@@ -404,10 +430,10 @@ std::vector<Bounds> emitter_bounds(const Effect& effect, const Placement& placem
   std::vector<Bounds> result;
   std::vector<Cloud> clouds;  // parents stand before their children
   for (const Emitter& emitter : effect.emitters) {
-    const Reach reach =
-        reach_of(emitter, placement, emitter.parent ? &clouds.at(emitter.parent->index) : nullptr);
-    clouds.push_back(reach.cloud);
-    result.push_back(rounded_outwards(reach.drawn));
+    const Journey journey =
+        journey_of(effect, emitter, placement, emitter.parent ? &clouds.at(emitter.parent->index) : nullptr);
+    clouds.push_back(journey.cloud);
+    result.push_back(rounded_outwards(journey.drawn));
   }
   return result;
 }

@@ -140,11 +140,12 @@ Emitter random_emitter(Dice& dice) {
   const uint32_t life = 1 + dice.below(60);
   return {.name = "e",
           .spawn = {.rate = {{0, 600.0}, {60, 600.0}}, .life_ticks = {life, life + dice.below(200)}},
-          .shape = {.kind = ShapeKind(dice.below(6)),
+          .shape = {.kind = ShapeKind(dice.below(7)),
                     .radius_m = dice.between(0.01f, 2),
                     .thickness = dice.between(0, 1),
                     .size_m = glm::abs(dice.vector(3)),
                     .angle_deg = dice.between(0, 90),
+                    .to_m = dice.vector(3),
                     .offset_m = dice.vector(2)},
           .motion = random_motion(dice),
           .look = {.radius_m = Curve(
@@ -170,7 +171,7 @@ TEST_F(BoundsTest, HoldWhatIsAttractedTurnedKilledAndDisplaced) {
   Dice dice(random);
   const auto grid = std::make_shared<FieldGrid>(FieldGrid{
       .size = {2, 1, 1}, .low = glm::vec3(-3), .high = glm::vec3(3), .cells = {{4, 0, 1}, {0, -3, 2}}});
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 8; ++i) {
     Effect effect = random_effect(dice, i);
     Motion& motion = effect.emitters[0].motion;
     motion.orbit = dice.sometimes(-1, 1);

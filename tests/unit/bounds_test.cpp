@@ -74,6 +74,17 @@ TEST(Bounds, TurnWithTheInstance) {
   expect_box(bounds, {-2 - kCard, -kCard, -5 - 1 - 3 - kCard}, {2 + kCard, kCard, -5 + 1 + kCard});
 }
 
+TEST(Bounds, TakeInLinesAndMeshes) {
+  Effect effect = effect_of({.speed = {1, 1}});
+  Shape& shape = effect.emitters[0].shape;
+  shape = {.kind = ShapeKind::kLine, .to_m = {0, 6, 0}};  // throws across itself
+  expect_box(effect_bounds(effect, {}), {-1 - kCard, -kCard, -1 - kCard}, {1 + kCard, 6 + kCard, 1 + kCard});
+  shape = {.kind = ShapeKind::kMesh, .mesh = {.id = "m"}, .scale = 2};
+  effect.meshes = {{.id = "m", .triangles = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 3}}}}}};
+  expect_box(effect_bounds(effect, {.yaw_deg = 180}), {-2 - 1 - kCard, -1 - kCard, -6 - 1 - kCard},
+             {1 + kCard, 2 + 1 + kCard, 1 + kCard});
+}
+
 TEST(Bounds, GoAlongThePath) {
   const Path path({{0, {0, 0, 0}}, {10, {10, 0, 0}}, {20, {10, 0, -7}}});
   const Bounds bounds = effect_bounds(effect_of({}), {.position = {100, 0, 0}, .path = &path});
