@@ -208,6 +208,32 @@ TEST_F(BoundsTest, HoldWhatCollides) {
   }
 }
 
+TEST_F(BoundsTest, HoldWhatIsBornInASolidAndPushedOut) {
+  std::mt19937 random(6);
+  const Effect effect{.id = "pushed out",
+                      .emitters = {{.name = "e",
+                                    .spawn = {.bursts = {{0, 20}}, .life_ticks = {9, 9}},
+                                    .motion = {.collision = Collision{}},
+                                    .look = {.radius_m = 0.1f, .opacity = 1.0f}}}};
+  check(effect, 5, random, {}, {{.kind = SolidKind::kBox, .position = kPosition, .size_m = {9, 7, 8}}});
+}
+
+TEST_F(BoundsTest, HoldChildrenThatFlyOnAsTheirParents) {
+  std::mt19937 random(7);
+  Effect effect{.id = "inherited",
+                .emitters = {{.name = "parent",
+                              .spawn = {.bursts = {{0, 20}}, .life_ticks = {20, 20}},
+                              .motion = {.speed = {5, 5}},
+                              .look = {.radius_m = 0.1f, .opacity = 1.0f}}}};
+  Emitter child = effect.emitters[0];
+  child.name = "child";
+  child.parent = Parent{.event = BirthEvent::kDeath, .count = 2, .inherit_velocity = 1.5f};
+  child.spawn = {.life_ticks = {30, 30}};
+  child.motion = {};
+  effect.emitters.push_back(child);
+  check(effect, 9, random);
+}
+
 TEST_F(BoundsTest, HoldChildren) {
   std::mt19937 random(5);
   Dice dice(random);
