@@ -12,7 +12,7 @@
 
 namespace plume {
 
-constexpr uint32_t kMaxFieldCells = 64;  ///< along each side
+constexpr uint32_t kMaxFieldCells = 32;  ///< along each side
 
 /// Throws FileErrors with the first thing that is wrong: numbers have no names to go on from.
 FieldGrid read_field(const std::filesystem::path& path);

@@ -32,11 +32,11 @@ TEST(FieldReader, NeedsNoCommaOrLineAtTheEnd) {
 
 TEST(FieldReader, NamesThePlaceOfWhatIsWrongAndWhatWouldBeRight) {
   EXPECT_EQ(mistake_in(""),
-            "f.fga:1:1: the file ends here, expected cells along a side: a whole number from 1 to 64");
-  EXPECT_EQ(mistake_in("1,65,1"),
-            "f.fga:1:3: \"65\" is no such number, expected cells along a side: a whole number from 1 to 64");
+            "f.fga:1:1: the file ends here, expected cells along a side: a whole number from 1 to 32");
+  EXPECT_EQ(mistake_in("1,33,1"),
+            "f.fga:1:3: \"33\" is no such number, expected cells along a side: a whole number from 1 to 32");
   EXPECT_EQ(mistake_in("1,1.5,1"),
-            "f.fga:1:3: \"1.5\" is no such number, expected cells along a side: a whole number from 1 to 64");
+            "f.fga:1:3: \"1.5\" is no such number, expected cells along a side: a whole number from 1 to 32");
   EXPECT_EQ(mistake_in("1,1,1,\n0,0,0,\n1,-1,1,\n0,0,0"),
             "f.fga:3:3: \"-1\" is no such number, expected high corner of the bounds, 0.001 or more above "
             "the low one: a "
