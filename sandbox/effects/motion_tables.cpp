@@ -46,7 +46,7 @@ shared::RoundCollider round_collider(const Solid& solid) {
           .length_m = length};
 }
 
-Reach extent_of(const Solid& solid) {
+Bounds extent_of(const Solid& solid) {
   if (solid.kind == SolidKind::kSphere || solid.kind == SolidKind::kCapsule) {
     const glm::vec3 end = solid.kind == SolidKind::kCapsule ? solid.end : solid.position;
     return {glm::min(solid.position, end) - solid.radius_m, glm::max(solid.position, end) + solid.radius_m};
@@ -93,11 +93,11 @@ MotionTables::MotionTables(const std::vector<Solid>& solids) {
 }
 
 template <class Collider>
-MotionTables::Range MotionTables::Colliders<Collider>::list_within(const Reach& reach, float margin) {
+MotionTables::Range MotionTables::Colliders<Collider>::list_within(const Bounds* reach, float margin) {
   std::vector<uint32_t> near;
   for (uint32_t i = 0; i < all.size(); ++i)
-    if (glm::all(glm::lessThanEqual(extents[i].min - margin, reach.max)) &&
-        glm::all(glm::lessThanEqual(reach.min, extents[i].max + margin)))
+    if (!reach || (glm::all(glm::lessThanEqual(extents[i].min - margin, reach->max)) &&
+                   glm::all(glm::lessThanEqual(reach->min, extents[i].max + margin))))
       near.push_back(i);
   const auto [entry, added] = known.try_emplace(near, Range{uint32_t(lists.size()), uint32_t(near.size())});
   if (added)
@@ -118,7 +118,7 @@ MotionTables::Ranges MotionTables::enter(const Emitter& emitter) {
   return ranges;
 }
 
-void MotionTables::fill(const Emitter& emitter, shared::EmitterData& data, const Reach& reach) {
+void MotionTables::fill(const Emitter& emitter, shared::EmitterData& data, const Bounds* reach) {
   auto entry = entered_.find(&emitter);
   if (entry == entered_.end()) entry = entered_.emplace(&emitter, enter(emitter)).first;
   const Ranges& ranges = entry->second;

@@ -3,11 +3,11 @@
 #ifndef PLUME_EFFECTS_MOTION_TABLES_H
 #define PLUME_EFFECTS_MOTION_TABLES_H
 
-#include <limits>
 #include <map>
 #include <vector>
 
 #include "renderer/gpu/frame.h"
+#include "sandbox/effects/bounds.h"
 #include "sandbox/effects/effect.h"
 #include "sandbox/scene/scene.h"
 #include "shaders/shared/motion_tables.h"
@@ -18,20 +18,14 @@ namespace plume {
 /// What the emitter's motion is made of: shared::kUses…
 uint32_t features_of(const Emitter& emitter);
 
-/// A box in the world, m.
-struct Reach {
-  glm::vec3 min{-std::numeric_limits<float>::infinity()};
-  glm::vec3 max{std::numeric_limits<float>::infinity()};
-};
-
 /// First every emitter's fill(), then upload(), then bindings().
 class MotionTables {
  public:
   explicit MotionTables(const std::vector<Solid>& solids);
 
-  /// Enters what the emitter needs and writes the ranges into `data`. The emitter outlives the tables. Solids
-  /// beyond what its particles can ever reach are not looked at again.
-  void fill(const Emitter& emitter, shared::EmitterData& data, const Reach& reach = {});
+  /// Enters what the emitter needs and writes the ranges into `data`. The emitter outlives the tables. Where
+  /// it is known what its particles can ever reach, solids beyond are not looked at again.
+  void fill(const Emitter& emitter, shared::EmitterData& data, const Bounds* reach = nullptr);
   void upload(gpu::Device& device);
   /// Buffers of shaders/effects/{forces,collide}.glsl.
   gpu::Bindings bindings() const;
@@ -48,11 +42,11 @@ class MotionTables {
   template <class Collider>
   struct Colliders {
     std::vector<Collider> all;
-    std::vector<Reach> extents;
+    std::vector<Bounds> extents;
     std::vector<Collider> lists;
     std::map<std::vector<uint32_t>, Range> known;  // by indices into `all`
 
-    Range list_within(const Reach& reach, float margin);
+    Range list_within(const Bounds* reach, float margin);
   };
   Ranges enter(const Emitter& emitter);
 

@@ -23,18 +23,19 @@ TEST(MotionTables, AnEmitterLooksOnlyAtSolidsItsParticlesCanReach) {
        .radius_m = 0.5f}  // from z = 3.5
   };
   MotionTables tables(solids);
-  const auto counts = [&](const Emitter& emitter, const Reach& reach) {
+  const auto counts = [&](const Emitter& emitter, const std::optional<Bounds>& reach) {
     shared::EmitterData data{};
-    tables.fill(emitter, data, reach);
+    tables.fill(emitter, data, reach ? &*reach : nullptr);
     return std::pair(data.box_count, data.round_count);
   };
   using Counts = std::pair<uint32_t, uint32_t>;
   const Emitter small = colliding(0), large = colliding(1), none;
   EXPECT_EQ(Counts(3, 2), counts(small, {})) << "everywhere";
-  EXPECT_EQ(Counts(2, 0), counts(small, {{-3, -1, -3}, {3, 3, 3}}));
-  EXPECT_EQ(Counts(2, 1), counts(large, {{-3, -1, -3}, {3, 3, 3}})) << "the capsule, with a body of 1 m";
-  EXPECT_EQ(Counts(1, 0), counts(small, {{-3, -99, -3}, {1, -90, 3}})) << "the ground is deep";
-  EXPECT_EQ(Counts(0, 1), counts(small, {{-3, 6, -3}, {3, 8, 3}}));
+  EXPECT_EQ(Counts(2, 0), counts(small, Bounds{{-3, -1, -3}, {3, 3, 3}}));
+  EXPECT_EQ(Counts(2, 1), counts(large, Bounds{{-3, -1, -3}, {3, 3, 3}}))
+      << "the capsule, with a body of 1 m";
+  EXPECT_EQ(Counts(1, 0), counts(small, Bounds{{-3, -99, -3}, {1, -90, 3}})) << "the ground is deep";
+  EXPECT_EQ(Counts(0, 1), counts(small, Bounds{{-3, 6, -3}, {3, 8, 3}}));
   EXPECT_EQ(Counts(0, 0), counts(none, {})) << "it does not collide";
 }
 
@@ -47,7 +48,8 @@ TEST(MotionTables, InstancesShareEntriesAndEqualListsAreKeptOnce) {
   tables.fill(a, first);
   tables.fill(b, other);
   tables.fill(a, again);
-  tables.fill(a, one, {{-1, -1, -1}, {1, 1, 1}});
+  const Bounds near{{-1, -1, -1}, {1, 1, 1}};
+  tables.fill(a, one, &near);
   EXPECT_EQ(first.attractor_first, again.attractor_first);
   EXPECT_EQ(2u, other.attractor_first);
   EXPECT_EQ(first.round_first, other.round_first);
