@@ -68,7 +68,8 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
     drawn.push_back(emitter_bounds(*call.effect, {.position = call.position,
                                                   .yaw_deg = call.yaw_deg,
                                                   .path = call.path ? &*call.path : nullptr,
-                                                  .wind = wind}));
+                                                  .wind = wind,
+                                                  .solids = &solids}));
     for (uint32_t e = 0; e < call.effect->emitters.size(); ++e)
       members.push_back({uint32_t(calls_.size()), e, cards_kernel(call.effect->emitters[e])});
     Clock clock(call.tick);
@@ -97,7 +98,7 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
                          .data = emitter_data(state.call, index, scene_seed, wind, meshes_),
                          .curves = bake_curves(emitters[index].look)});
     emitters_.back().bounds = influence(emitters[index].look, drawn[call][index], sun_direction);
-    tables_.fill(emitters[index], emitters_.back().data);
+    tables_.fill(emitters[index], emitters_.back().data, &drawn[call][index]);
     state.last_tick = std::max(state.last_tick, emitters_.back().schedule.last_tick());
   }
   if (emitters_.empty()) return;
