@@ -304,6 +304,21 @@ TEST_F(LightingTest, CellsGrowEvenlyWithTheCloud) {
   }
 }
 
+TEST_F(LightingTest, MoreFiresThanThereAreLightsShareThem) {
+  for (const auto& [instances, lights] : {std::pair(0u, 0u), {3u, 3u}, {12u, shared::kMostFires}}) {
+    Scene fires;
+    fires.camera = {{}};
+    for (uint32_t i = 0; i < instances; ++i) {
+      fires.instances.push_back(
+          {.name = std::to_string(i), .effect = "sparks", .effect_at = {}, .call_tick = 0});
+      fires.instances.back().position = {float(i * i), 0, 0};
+    }
+    Stage stage(device, pipelines, library, fires);
+    stage.go_to(20, {16, 16});
+    EXPECT_EQ(lights, stage.lighting().fires()) << instances << " instances";
+  }
+}
+
 TEST_F(LightingTest, WhatNothingCallsForHasNoPassesAndNoBytes) {
   const auto light_bytes = [&] { return device.memory().owner_bytes("light"); };
   EXPECT_EQ(std::vector<std::string>{"cards"}, light({speck({0, 1, 0})}).passes) << "casts nothing";
