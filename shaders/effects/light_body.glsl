@@ -1,7 +1,7 @@
 // How a particle's optical depth lies in a light grid. A puff is a ball of even density and radius r; seen along an axis, the share of
 // it below x is smoothstep((x / h + 1) / 2), exactly that of a ball of radius h. A cell's share is the product of three such differences:
-// they sum to 1 wherever the lattice lies, so no light is gained or lost by where cells begin. h = max(r, a cell).
-// Opaque things smaller than a cell hide only their own disc: C = -pi h^2 ln(1 - (r / h)^2 (1 - exp(-tau))), which is tau pi r^2 at r = h.
+// they sum to 1 wherever the lattice lies, so no light is gained or lost by where cells begin. h = max(r, half a cell).
+// Opaque things smaller than that hide only their own disc: C = -pi h^2 ln(1 - (r / h)^2 (1 - exp(-tau))), which is tau pi r^2 at r = h.
 // Limits: the product is rounder than a cube and less round than a ball: its middle is 18% denser than the ball's.
 #ifndef PLUME_EFFECTS_LIGHT_BODY_GLSL
 #define PLUME_EFFECTS_LIGHT_BODY_GLSL
@@ -17,7 +17,7 @@ vec3 in_frame(LightGrid grid, vec3 world) { return vec3(dot(world, grid.axis_s),
 vec3 in_cells(LightGrid grid, vec3 world) { return (in_frame(grid, world) - grid.origin) / grid.cell; }
 
 // Half widths, in cells.
-vec3 spread(LightGrid grid, LitBody body) { return max(vec3(body.radius) / grid.cell, vec3(1.0)); }
+vec3 spread(LightGrid grid, LitBody body) { return max(vec3(body.radius) / grid.cell, vec3(0.5)); }
 
 // Of a ball around 0 of radius 1.
 float share_below(float x) { return smoothstep(-1.0, 1.0, x); }

@@ -15,7 +15,7 @@ layout(push_constant) uniform Push {
   vec2 cells_a_radius;      // of the largest puff, at most
 };
 
-const uint kMargin = 2u;   // cells: puffs narrower than one are spread over one
+const uint kMargin = 2u;   // cells: interpolation reaches half a cell beyond what narrow puffs are spread over
 
 void main() {
   const uint which = gl_GlobalInvocationID.x;

@@ -118,7 +118,7 @@ struct Spread {
   double cross_section;
 };
 Spread spread_of(const shared::LightGrid& grid, const shared::LitBody& body) {
-  const dvec3 half = glm::max(dvec3(body.radius), dvec3(grid.cell));
+  const dvec3 half = glm::max(dvec3(body.radius), 0.5 * dvec3(grid.cell));
   const double area = M_PI * half.x * half.y, part = std::min(M_PI * body.radius * body.radius / area, 1.0);
   return {half, -area * std::log(1 - part * (1 - std::exp(-double(body.depth))))};
 }
