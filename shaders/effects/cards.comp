@@ -74,7 +74,7 @@ Puff puff_of(EmitterData e, uint emitter, uint age, uint key) {
   const float radius = shape.x * mix(e.radius_scale_min, e.radius_scale_max, random(key, 22u));
   const float tau = e.cross_section > 0.0 ? e.cross_section / (3.14159265 * radius * radius)
                                           : min(-log(max(1.0 - shape.z, 1e-28)), kOpaqueDepth);
-  return Puff(life, radius, tau * shape.y, shape.y);
+  return Puff(life, radius, shape.y > 0.0 ? tau * shape.y : 0.0, shape.y);   // a puff of no radius is infinitely dense
 }
 
 LitBody dark_body() { return LitBody(vec3(0.0), 0.0, vec3(0.0), 0.0, uvec2(0u)); }

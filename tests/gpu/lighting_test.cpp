@@ -243,6 +243,24 @@ TEST_F(LightingTest, AFireIsTheMeanOfItsParticlesAndAbsorbsWhatItHides) {
   EXPECT_NEAR(2.0, lit.fires[0].power.r / lit.fires[0].radius_squared, 0.01);
 }
 
+TEST_F(LightingTest, PuffsOfNoSizeSpoilNothing) {
+  Emitter unborn = puff({0, 2, 0}, 0.5f, 1.0f);
+  unborn.look.radius_m = Curve({{0.0f, 0.0f}, {1.0f, 0.5f}});
+  unborn.look.fade = 0.0f;
+  unborn.look.emission = glm::vec3(1.0f);
+  Emitter dense = unborn;
+  dense.name = "dense";
+  dense.look.fade = 1.0f;
+  const Lit lit = light({unborn, dense, puff({0, 2, 0.3f}, 0.5f, 0.5f), ember({1, 2, 0}, 0.2f, {1, 1, 1})});
+  ASSERT_EQ(1u, lit.fires.size());
+  EXPECT_NEAR(0.04, lit.fires[0].power.r, 1e-4);
+  for (size_t i = 0; i < lit.sun.size() / 2; ++i)
+    ASSERT_LE(glm::unpackHalf1x16(reinterpret_cast<const uint16_t*>(lit.sun.data())[i]), 10.0f);
+  for (const shared::Card& card : lit.cards)
+    for (const glm::uvec2& half4 : {card.sunlit, card.ambient})
+      for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(rgb(half4)[c]));
+}
+
 TEST_F(LightingTest, NoLightIsMade) {
   // Nothing is brighter than in the open: what is scattered was taken from what came directly.
   const Lit lit = light(cloud(60, 0.3f, 0.6f));
@@ -289,15 +307,15 @@ TEST_F(LightingTest, EveryRoadToATickGivesTheSameBits) {
 TEST_F(LightingTest, CellsGrowEvenlyWithTheCloud) {
   // A step of the grid's size would be seen: all of the cloud would change its light at once.
   const std::vector<Emitter> smoke = library.effect("smoke_grenade").emitters;
-  Lit before = light(smoke, {}, 134);
-  for (uint32_t tick = 135; tick < 143; ++tick) {
+  Lit before = light(smoke, {}, 60);
+  for (uint32_t tick = 66; tick < 180; tick += 6) {
     const Lit now = light(smoke, {}, tick);
     for (uint32_t g = 0; g < shared::kLightGrids; ++g) {
       const glm::vec3 change = now.grids[g].cell / before.grids[g].cell - 1.0f;
       const glm::vec3 shift = (now.grids[g].origin - before.grids[g].origin) / now.grids[g].cell;
       for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_LT(std::abs(change[axis]), 0.03f) << "tick " << tick;
-        EXPECT_LT(std::abs(shift[axis]), 0.3f) << "tick " << tick;
+        EXPECT_LT(std::abs(change[axis]), 0.15f) << "tick " << tick;
+        EXPECT_LT(std::abs(shift[axis]), 1.0f) << "tick " << tick;
       }
     }
     before = now;
