@@ -155,6 +155,19 @@ void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
   look.integer("draw_order", out.draw_order, kDrawOrder);
 }
 
+/// A box about the instance: what leaves it ends. Bounds from forces alone allow for the worst of noise all
+/// the way; this is how a file says how far its effect goes.
+void read_bounds(TableReader& table, Effect& effect) {
+  KillVolume box{.kind = KillVolume::Kind::kBox, .outside = true};
+  table.vector("position_m", box.position_m, {-1000, 1000, "m"});
+  table.vector("size_m", box.size_m, {0.01, 2000, "m"}, Need::kRequired);
+  for (Emitter& emitter : effect.emitters) {
+    KillVolume about_origin = box;
+    about_origin.position_m -= emitter.shape.offset_m;
+    emitter.motion.kill.push_back(about_origin);
+  }
+}
+
 }  // namespace
 
 Effect read_effect_text(std::string_view text, const std::string& file) {
@@ -199,6 +212,7 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
           effect.emitters.push_back(std::move(emitter));
         },
         Need::kRequired);
+    top.table("bounds", [&](TableReader& table) { read_bounds(table, effect); });
   });
   return effect;
 }

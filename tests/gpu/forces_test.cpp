@@ -270,7 +270,8 @@ TEST_F(ForcesTest, CurlNoiseIsTheCrossProductOfTwoGradientsAndHasNoDivergence) {
   const Effect effect = effect_of({e});
   Simulation simulation = simulate(effect, {});
   const Call call{.name = "test", .effect = &effect, .tick = 0, .position = {}, .yaw_deg = 0, .seed = 1};
-  const uint32_t seed = emitter_data(call, 0, 1, {}).seed;
+  MeshTable no_meshes;
+  const uint32_t seed = emitter_data(call, 0, 1, {}, no_meshes).seed;
   const glm::dvec3 shift(seed & 0xff, seed >> 8 & 0xff, seed >> 16 & 0xff);
   simulation.seek(0);
   const auto born = simulation.particles();
