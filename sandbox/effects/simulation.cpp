@@ -52,6 +52,10 @@ bool sees(const Views& views, const Bounds& bounds) {
          std::ranges::any_of(*views, [&](const ViewVolume& view) { return may_touch(view, bounds); });
 }
 
+uint32_t motion_kernel(uint32_t features) {
+  return features & ~shared::kUsesDisplacement;
+}
+
 }  // namespace
 
 Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vector<Call> calls,
@@ -102,6 +106,16 @@ Simulation::Simulation(gpu::Device& device, gpu::Pipelines& pipelines, std::vect
     state.last_tick = std::max(state.last_tick, emitters_.back().schedule.last_tick());
   }
   if (emitters_.empty()) return;
+  for (const EmitterState& emitter : emitters_) {
+    LoopsPerTick& loops = loops_[motion_kernel(emitter.features)];
+    const std::vector<Emitter>& family = calls_[emitter.call].call.effect->emitters;
+    for (const Emitter* e = &family[emitter.index];; e = &family[e->parent->index]) {
+      const auto& path = calls_[emitter.call].call.path;
+      loops.widen({emitter_of(emitter.call, uint32_t(e - family.data())).data,
+                   path ? uint32_t(path->keys().size()) : 0});
+      if (!e->parent) break;
+    }
+  }
   tables_.upload(device);
   meshes_.upload(device);
 }
@@ -225,12 +239,21 @@ void Simulation::add_seek(const EmitterState& emitter, uint64_t first, uint64_t 
   const auto roots = [&](uint32_t tick) { return uint32_t(emitter.schedule.births(tick) / span.per_root); };
   births_.push_back(span.births_tick == 0 ? 0 : roots(span.births_tick - 1));
   for (uint32_t tick = span.births_tick; tick <= span.tick; ++tick) births_.push_back(roots(tick));
-  seeks_.add(emitter.features & ~shared::kUsesDisplacement, span);
+  const uint32_t ticks = loops_.at(motion_kernel(emitter.features)).ticks_per_dispatch();
+  const uint32_t last = span.tick;
+  size_t dispatch = 0;
+  for (uint64_t from = span.births_tick; from <= last; from += ticks, ++dispatch) {
+    span.resume = dispatch == 0 ? 0 : uint32_t(from);
+    span.tick = uint32_t(std::min<uint64_t>(from + ticks - 1, last));
+    if (dispatch == seeks_.size()) seeks_.emplace_back();
+    seeks_[dispatch].add(motion_kernel(emitter.features), span);
+  }
 }
 
 /// Which births are stepped and which are sought so that every emitter reaches what is wanted of it.
 void Simulation::plan() {
-  living_.clear(), steps_.clear(), seeks_.clear(), births_.clear();
+  living_.clear(), steps_.clear(), births_.clear();
+  for (SpanList& seeks : seeks_) seeks.clear();
   for (EmitterState& emitter : emitters_) {
     if (!emitter.wanted) continue;
     const uint32_t tick = *emitter.wanted;
@@ -241,17 +264,18 @@ void Simulation::plan() {
     uint64_t fresh = first;  // those after it come by seeking
     if (tick > 0 && emitter.reached == tick - 1) {
       fresh = std::max(first, emitter.schedule.births(tick - 1));
-      steps_.add(emitter.features & ~shared::kUsesDisplacement, span_of(emitter, first, fresh));
+      steps_.add(motion_kernel(emitter.features), span_of(emitter, first, fresh));
       emitter.ticks = 1;
       emitter.dispatches = fresh > first;
     } else {
-      emitter.ticks = std::min(tick + 1, emitter.lineage.life);
+      emitter.ticks = std::min(tick, emitter.lineage.life);
     }
     add_seek(emitter, fresh, end);
     emitter.dispatches += end > fresh;
     emitter.reached = tick;
   }
-  living_.upload(device_, "living"), steps_.upload(device_, "steps"), seeks_.upload(device_, "seeks");
+  living_.upload(device_, "living"), steps_.upload(device_, "steps");
+  for (SpanList& seeks : seeks_) seeks.upload(device_, "seeks");
   upload(device_, births_buffer_, "births", births_);
 }
 
@@ -294,15 +318,20 @@ std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick, const Views& views) 
   plan();
   tick_ = tick;
   count_demand(tick, jumped);
-  if (kept.empty() && steps_.empty() && seeks_.empty()) return {};
+  const bool moves =
+      !steps_.empty() || std::ranges::any_of(seeks_, [](const SpanList& s) { return !s.empty(); });
+  if (kept.empty() && !moves) return {};
   gpu::Frame frame(device_, pipelines_);
   if (!kept.empty())
     frame.pass("keep particles",
                [&](gpu::Pass& pass) { pass.commands().copyBuffer(old.vk(), particles_.vk(), kept); });
-  if (!steps_.empty() || !seeks_.empty())
+  if (moves)
     frame.pass("simulate", [&](gpu::Pass& pass) {  // both at once: they touch different slots
       record(pass, "effects/tick.comp", steps_);
-      record(pass, "effects/seek.comp", seeks_);
+      for (const SpanList& seeks : seeks_) {
+        if (&seeks != &seeks_.front() && !seeks.empty()) pass.barrier();  // they go on from there
+        record(pass, "effects/seek.comp", seeks);
+      }
     });
   return frame.finish();
 }
@@ -419,7 +448,7 @@ void Simulation::count_demand(uint32_t tick, bool jumped) {
     } else if (const auto local = call.clock.local(tick); local && has_living(emitter, *local)) {
       demand.bytes_saved += bytes;
       count.ticks_saved =
-          std::max<uint64_t>(count.ticks_saved, jumped ? std::min(*local + 1, emitter.lineage.life) : 1);
+          std::max<uint64_t>(count.ticks_saved, jumped ? std::min(*local, emitter.lineage.life) : 1);
     }
   }
   for (size_t i = 0; i < calls_.size(); ++i) {

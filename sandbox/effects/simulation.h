@@ -10,6 +10,7 @@
 #include "renderer/transparents.h"
 #include "sandbox/effects/clock.h"
 #include "sandbox/effects/demand.h"
+#include "sandbox/effects/dispatch_length.h"
 #include "sandbox/effects/emitter_data.h"
 #include "sandbox/effects/lineage.h"
 #include "sandbox/effects/motion_tables.h"
@@ -118,8 +119,9 @@ class Simulation {
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   std::vector<CallState> calls_;
-  std::vector<EmitterState> emitters_;     // by kernel of cards: those of one source stand together
-  std::vector<uint32_t> emitter_of_call_;  // by call and index, into emitters_
+  std::vector<EmitterState> emitters_;      // by kernel of cards: those of one source stand together
+  std::vector<uint32_t> emitter_of_call_;   // by call and index, into emitters_
+  std::map<uint32_t, LoopsPerTick> loops_;  // by kernel that moves particles
   MotionTables tables_;
   MeshTable meshes_;
   gpu::Buffer emitter_data_, curves_, path_keys_;  // of those awake
@@ -127,7 +129,8 @@ class Simulation {
   std::vector<uint32_t> births_;  // how many were born before each tick: see Span
   SpanList living_;               // every particle that can be alive at this tick: what cards are made of
   SpanList steps_;                // those that go on from the tick before
-  SpanList seeks_;                // those that are brought to this tick from their births
+  std::vector<SpanList>
+      seeks_;  // those that are brought to this tick from their births, dispatch by dispatch
   std::optional<uint32_t> tick_;
   std::function<Views(uint32_t tick)> script_;
 };

@@ -15,6 +15,7 @@ layout(scalar, binding = 14) readonly buffer KillVolumes { KillVolumeData kill_v
 const uint kMostImpacts = 4u;   // a corner of three walls, and once more
 const float kNever = 2.0;       // shares of the way are at most 1
 const float kRestSpeed = 1e-3;  // m/s: slower impacts do not bounce
+const float kMostDepth = 1e-3;  // m: where solids meet, one pushes particles so little into another; deeper was never outside
 
 struct Impact {
   float time;    // share of the way
@@ -38,7 +39,7 @@ float entry(vec3 o, vec3 d, float r, float skin) {
   precise vec3 line = o - d * (b / dd);
   precise float h = r * r - dot(line, line);
   precise float c = dot(o, o) - r * r;
-  if (b >= 0.0 || h < 0.0 || c < -8.0 * skin * r) return kNever;   // receding, past it, inside
+  if (b >= 0.0 || h < 0.0 || c < -2.0 * max(kMostDepth, 4.0 * skin) * r) return kNever;   // receding, past it, inside
   precise float t = max(c, 0.0) / (sqrt(h * dd) - b);
   return t;
 }
@@ -73,7 +74,7 @@ void meet_box(BoxCollider c, float body, vec3 p, vec3 way, inout Impact first) {
   const uint axis = time == enter.y ? 1u : time == enter.x ? 0u : 2u;
   precise float depth = max(-time, 0.0) * abs(d[axis]);
   if (time >= first.time || max(time, 0.0) > min(min(leave.x, leave.y), leave.z)) return;
-  if (d[axis] == 0.0 || depth > 4.0 * skin_at(p, 0.0)) return;   // inside
+  if (d[axis] == 0.0 || depth > max(kMostDepth, 4.0 * skin_at(p, 0.0))) return;   // inside
   vec3 normal = vec3(0.0);
   normal[axis] = d[axis] < 0.0 ? 1.0 : -1.0;
   first = Impact(max(time, 0.0), from_box(c, normal), depth);

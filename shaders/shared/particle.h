@@ -152,12 +152,13 @@ struct Span {
   uint emitter;
   uint first;  // birth index
   uint count;
-  uint base;          // slot
-  uint capacity;      // slots
-  uint first_slot;    // first mod capacity: a division a thread saved
-  uint offset;        // sum of counts before: first thread, first card
-  uint tick;          // of the emitter, since its call
-  uint per_root;      // births of one ancestor that has a rate
+  uint base;        // slot
+  uint capacity;    // slots
+  uint first_slot;  // first mod capacity: a division a thread saved
+  uint offset;      // sum of counts before: first thread, first card
+  uint tick;        // of the emitter, since its call
+  uint per_root;    // births of one ancestor that has a rate
+  uint resume;  // catch-up: particles born before this tick have been brought to the one before it; 0: none
   uint births_base;   // catch-up: first entry of the table of how many of those were born before each tick
   uint births_tick;   // catch-up: the tick of that entry
   uint births_count;  // catch-up: ticks; the table has one entry more

@@ -1,5 +1,7 @@
 // Particles among the scene's solids: bounce, slide, die and stick against closed forms; nothing gets in or
 // through.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
 
@@ -215,10 +217,16 @@ TEST_F(CollideTest, NothingGetsIntoAnySolidOfACrowdedSceneAlsoFarFromTheOrigin) 
     Simulation simulation = simulate(effect, {.origin = origin, .solids = solids});
     simulation.seek(0);
     double deepest = 1;
+    std::string where;
     const auto check = [&] {
       for (const auto& p : simulation.particles())
         for (const Solid& solid : solids)
-          deepest = std::min(deepest, distance_to(solid, glm::dvec3(p.position)));
+          if (const double distance = distance_to(solid, glm::dvec3(p.position)); distance < deepest) {
+            deepest = distance;
+            where = fmt::format("birth {} (state {:x}) at ({}, {}, {}), solid {} at tick {}", p.birth,
+                                p.state, p.position.x, p.position.y, p.position.z, &solid - solids.data(),
+                                simulation.tick());
+          }
     };
     for (int i = 0; i < 100; ++i) {
       simulation.step();
@@ -227,7 +235,7 @@ TEST_F(CollideTest, NothingGetsIntoAnySolidOfACrowdedSceneAlsoFarFromTheOrigin) 
     simulation.seek(1000);
     check();
     const double rounding = double(glm::length(origin)) * 2e-7;  // of the coordinates
-    EXPECT_GT(deepest, 0.01 - 1e-4 - rounding) << "bodies of 1 cm";
+    EXPECT_GT(deepest, 0.01 - 1e-4 - rounding) << "bodies of 1 cm: " << where;
   }
 }
 
