@@ -4,16 +4,19 @@
 #include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
 #include "sandbox/effects/spawn_schedule.h"
+#include "sandbox/presets/read_scene.h"
+#include "sandbox/scene/stage.h"
 
 namespace plume {
 namespace {
 
 using nlohmann::json;
 
-struct ListFlags {
+struct ListFlags : DrawFlags {
   std::string what;
-  bool json = false;
-  glm::uvec2 size{640, 360};
+  std::string scene;             ///< of effects: what its instances cost
+  std::optional<uint32_t> tick;  ///< of that scene
+  glm::uvec2 picture() const { return size.value_or(glm::uvec2(640, 360)); }
 };
 
 /// Of a method at a size, with nothing to draw, and for each card more; lists of fragments grow beyond it.
@@ -116,6 +119,33 @@ json list_devices() {
   return list;
 }
 
+/// Which instances of a scene are awake at a tick, and why, when one goes there directly.
+int list_demand(const ListFlags& flags) {
+  const PresetLibrary library(preset_root());
+  Scene scene = library.scene(flags.scene);
+  if (auto unknown = check_references(scene, library); !unknown.empty()) throw FileErrors(std::move(unknown));
+  GpuSession gpu(flags);
+  const uint32_t tick = flags.tick.value_or(scene.default_tick);
+  Stage stage(gpu.device, gpu.pipelines, library, std::move(scene));
+  stage.go_to(tick, flags.picture());
+  const std::vector<InstanceDemand> demand = stage.demand();
+  if (flags.json) {
+    json result = demand_json(demand);
+    result.update({{"scene", stage.scene().id}, {"tick", tick}});
+    fmt::print("{}\n", result.dump(2));
+    return report_validation(gpu.device);
+  }
+  const auto line = [](const InstanceDemand& d, std::string_view state) {
+    fmt::print("{:<20} {:<7} {:>9} {:>9} {:>12} {:>12}  {}\n", d.name, state, d.ticks_simulated,
+               d.ticks_saved, d.bytes, d.bytes_saved, d.why);
+  };
+  fmt::print("{:<20} {:<7} {:>9} {:>9} {:>12} {:>12}  {}\n", "instance", "", "ticks", "saved", "bytes",
+             "saved", fmt::format("why, at tick {}", tick));
+  for (const InstanceDemand& instance : demand) line(instance, instance.awake ? "awake" : "asleep");
+  line(total(demand), "");
+  return report_validation(gpu.device);
+}
+
 std::string text_of(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -153,8 +183,13 @@ void print_for_people(const json& list) {
 }
 
 int run_list(const ListFlags& flags) {
+  if ((!flags.scene.empty() || flags.tick) && flags.what != "effects")
+    throw UsageError(
+        "--scene and --at tell what the instances of a scene cost: they go with `plume list effects`");
+  if (flags.scene.empty() && flags.tick) throw UsageError("--at needs a scene: --scene SCENE");
+  if (!flags.scene.empty()) return list_demand(flags);
   json list;
-  if (flags.what == "methods") list = list_methods(flags.size);
+  if (flags.what == "methods") list = list_methods(flags.picture());
   if (flags.what == "devices") list = list_devices();
   if (list.is_null()) {
     const PresetLibrary library(preset_root());
@@ -182,10 +217,15 @@ void add_list(CLI::App& program, Run& run) {
         const bool found = std::find(known.begin(), known.end(), what) != known.end();
         return found ? "" : fmt::format("unknown list `{}`, {}", what, suggestion(what, known));
       });
+  command->add_option("--scene", flags->scene,
+                      "with effects: which instances of this scene are awake, why, and what they cost");
+  command->add_option("--at", flags->tick, "with --scene: tick, 1/60 s; otherwise the scene's own")
+      ->check(CLI::Range(0u, kMaxTick));
+  command->add_option("--device", flags->device,
+                      "with --scene: part of a device's name, or its index in `plume list devices`");
   command->add_option_function<std::string>(
       "--size", [flags](const std::string& text) { flags->size = parse_size(text); },
-      "picture size of the methods' memory, WxH");
-  command->add_flag("--json", flags->json, "everything, for programs");
+      "picture size, WxH: of the methods' memory, or of what a scene's camera sees");
   command->callback([flags, &run] { run = [flags] { return run_list(*flags); }; });
 }
 

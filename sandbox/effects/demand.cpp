@@ -16,4 +16,28 @@ InstanceDemand total(const std::vector<InstanceDemand>& instances) {
   return sum;
 }
 
+namespace {
+
+nlohmann::json costs_json(const InstanceDemand& demand) {
+  return {{"ticks_simulated", demand.ticks_simulated},
+          {"ticks_saved", demand.ticks_saved},
+          {"dispatches", demand.dispatches},
+          {"bytes", demand.bytes},
+          {"bytes_saved", demand.bytes_saved}};
+}
+
+}  // namespace
+
+nlohmann::json demand_json(const std::vector<InstanceDemand>& instances) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const InstanceDemand& instance : instances) {
+    list.push_back(costs_json(instance));
+    list.back().update({{"name", instance.name},
+                        {"called", instance.called},
+                        {"awake", instance.awake},
+                        {"why", instance.why}});
+  }
+  return {{"instances", std::move(list)}, {"total", costs_json(total(instances))}};
+}
+
 }  // namespace plume

@@ -4,6 +4,7 @@
 #define PLUME_EFFECTS_DEMAND_H
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct InstanceDemand {
 
 /// Of several: sums, and awake when any is.
 InstanceDemand total(const std::vector<InstanceDemand>& instances);
+/// {"instances": [...], "total": {...}}, as results.json and `plume list` give it.
+nlohmann::json demand_json(const std::vector<InstanceDemand>& instances);
 
 }  // namespace plume
 #endif

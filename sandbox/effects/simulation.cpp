@@ -172,7 +172,9 @@ std::vector<vk::BufferCopy> Simulation::lay_out_pool() {
   particles_ = gpu::Buffer();
   if (base > 0)
     particles_ = gpu::Buffer(
-        device_, {.owner = "simulation", .label = "particles", .bytes = uint64_t(base) * sizeof(Particle)});
+        device_, {.owner = "particles", .label = "particles", .bytes = uint64_t(base) * sizeof(Particle)});
+  else  // all asleep
+    for (gpu::Buffer* unused : {&emitter_data_, &curves_, &path_keys_, &births_buffer_}) *unused = {};
   return kept;
 }
 

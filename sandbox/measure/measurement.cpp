@@ -103,18 +103,10 @@ void summarise_passes(const std::vector<std::vector<gpu::PassTime>>& samples, Fr
 }
 
 json demand_json(const Stage& stage, const gpu::Pipelines& pipelines) {
-  json instances = json::array();
-  for (const InstanceDemand& d : stage.demand())
-    instances.push_back({{"name", d.name},
-                         {"called", d.called},
-                         {"awake", d.awake},
-                         {"why", d.why},
-                         {"ticks_simulated", d.ticks_simulated},
-                         {"dispatches", d.dispatches},
-                         {"bytes", d.bytes}});
-  return {{"instances", instances},
-          {"pipelines", pipelines.count()},
-          {"state_hash", fmt::format("{:016x}", stage.simulation().state_hash())}};
+  json result = plume::demand_json(stage.demand());
+  result["pipelines"] = pipelines.count();
+  result["state_hash"] = fmt::format("{:016x}", stage.simulation().state_hash());
+  return result;
 }
 
 class Measurement {

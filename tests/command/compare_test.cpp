@@ -115,15 +115,15 @@ TEST_F(CompareTest, GpuTimeIsThatOfAllPasses) {
 TEST_F(CompareTest, ShowsWhatEveryInstanceCosts) {
   ASSERT_EQ(compare_street({"--methods", "wboit"}).exit_code, 0);
   const json demand = results()["demand"];
-  EXPECT_EQ(keys(demand), (Names{"instances", "pipelines", "state_hash"}));
+  EXPECT_EQ(keys(demand), (Names{"instances", "pipelines", "state_hash", "total"}));
   EXPECT_EQ(demand["state_hash"].get<std::string>().size(), 16u);
   EXPECT_GT(demand["pipelines"], 0);
   Names names;
   for (const json& instance : demand["instances"]) {
     SCOPED_TRACE(instance.dump());
     names.push_back(instance["name"]);
-    EXPECT_EQ(keys(instance),
-              (Names{"awake", "bytes", "called", "dispatches", "name", "ticks_simulated", "why"}));
+    EXPECT_EQ(keys(instance), (Names{"awake", "bytes", "bytes_saved", "called", "dispatches", "name",
+                                     "ticks_saved", "ticks_simulated", "why"}));
     EXPECT_FALSE(instance["why"].get<std::string>().empty());
     const bool awake = instance["awake"];
     EXPECT_EQ(awake, instance["name"] != "dust");
