@@ -167,7 +167,21 @@ Box anywhere(const Motion& motion, float yaw_deg) {
   return Box{around(every + vortex), around(every), around(every + vortex)} + vectors;
 }
 
-/// The largest half diagonal of a card that does not move, by age.
+/// What ribbons reach beyond their half width at a bend, and meshes beyond the radius where they stand on
+/// what their middle or their collider's surface was: kLongestMitre in shaders/effects/cards_ribbon.comp,
+/// placed_mesh in tumble.glsl.
+constexpr double kLongestMitre = 2.5, kStanding = 2.0;
+
+/// How far from its place a particle is drawn that has this radius and goes this fast.
+double reach_of(const Emitter& emitter, double radius, double speed) {
+  const Look& look = emitter.look;
+  if (look.ribbon) return kLongestMitre * radius;
+  if (!look.meshes.empty())
+    return kStanding * radius + emitter.motion.collision.value_or(Collision{}).radius_m;
+  return std::hypot(radius, radius + speed * double(look.stretch_s));
+}
+
+/// The largest radius, by age.
 class CardSizes {
  public:
   CardSizes(const Look& look, Range<uint32_t> life)
@@ -373,11 +387,14 @@ Journey journey_of(const Effect& effect, const Emitter& emitter, const Placement
   const double displaced =
       most_turbulence(motion.curl_displacement.amplitude_m, motion.curl_displacement.octaves);
   Journey journey{cloud.places, cloud};
+  if (look.ribbon && parents) {  // whose head is at the parent
+    const Interval head = around(reach_of(emitter, sizes.radius(0), 0) * (1 + 16 * kUlp) + displaced);
+    for (int c = 0; c < 3; ++c) join(journey.drawn[c], parents->places[c] + head);
+  }
   double buoyancy = motion.buoyancy;
   for (uint32_t age = 0;; ++age) {
     const double v = length_of(cloud.velocities, {true, true, true});
-    const double radius = sizes.radius(age);
-    const Interval card = around(std::hypot(radius, radius + v * double(look.stretch_s)) + displaced);
+    const Interval card = around(reach_of(emitter, sizes.radius(age), v) * (1 + 16 * kUlp) + displaced);
     for (int c = 0; c < 3; ++c) join(journey.drawn[c], cloud.places[c] + card);
 
     const Box steady{Interval{}, exactly(buoyancy - kStandardGravity * double(motion.gravity)), Interval{}};

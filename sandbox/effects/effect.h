@@ -169,7 +169,7 @@ struct Motion {
   Displacement curl_displacement;
 };
 
-enum class TextureKind : uint32_t { kPuff, kDisc, kSoft };
+enum class TextureKind : uint32_t { kPuff, kDisc, kSoft, kSolid };
 
 /// How a particle looks. Optical depth at the centre of a card comes either from a cross-section (physical:
 /// growth thins) or from the artist's opacity curve; exactly one of them is given.
@@ -190,9 +190,16 @@ struct Look {
   float camera_offset_m = 0.0f;  ///< moves depth along the camera ray, positive towards the camera
   std::string layer;             ///< name of one of the effect's layers, "" = none
   float flipbook_fps = 8.0f;
+  float flipbook_loops = 0.0f;  ///< over a life, besides: frames then follow life instead of time
+  bool ribbon = false;  ///< consecutive births are joined to a band, twice the radius wide; soft or solid
+  uint32_t ribbon_births = 0;  ///< after so many a new ribbon begins; 0: all are one
   Range<float> spin_deg_s{0.0f, 0.0f};
-  std::vector<MeshName> meshes;  ///< each particle is one of these; empty: a flat card
-  float stretch_s = 0.0f;        ///< card grows along its velocity by speed * this
+  std::vector<MeshName>
+      meshes;  ///< each particle is one of these, its farthest corner at the radius; empty: a flat card
+  Range<float> tumble_deg_s{0.0f, 0.0f};  ///< of meshes, about an axis of their own
+  float gloss = 0.0f;                     ///< of transparent meshes: share of a glass surface's reflections
+  bool opaque = false;                    ///< of meshes: solid pieces that cover what is behind them
+  float stretch_s = 0.0f;                 ///< card grows along its velocity by speed * this
   int draw_order = 0;  ///< the artist's, for methods that take it: lower ones are drawn first, behind
 };
 

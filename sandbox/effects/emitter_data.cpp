@@ -6,6 +6,7 @@
 #include "sandbox/effects/lighting.h"
 #include "sandbox/effects/lineage.h"
 #include "sandbox/effects/motion_tables.h"
+#include "shaders/effects/puff.h"
 #include "shaders/shared/hash.h"
 
 namespace plume {
@@ -36,7 +37,6 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
                                  MeshTable& meshes) {
   const Emitter& emitter = call.effect->emitters[index];
   const auto& [name, parent, spawn, shape, motion, look] = emitter;
-  const auto longest_life_of = [&](uint32_t e) { return call.effect->emitters[e].spawn.life_ticks.max; };
   const float yaw = glm::radians(call.yaw_deg), yaw_sin = std::sin(yaw), yaw_cos = std::cos(yaw);
   const auto turn = [&](glm::vec3 v) {
     return glm::vec3(v.x * yaw_cos + v.z * yaw_sin, v.y, v.z * yaw_cos - v.x * yaw_sin);
@@ -48,6 +48,12 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
   const double orbit_angle = glm::radians(360.0 * double(motion.orbit) / kTicksPerSecond);
   const Collision collision = motion.collision.value_or(Collision{});
   const Displacement& displacement = motion.curl_displacement;
+  const uint32_t per_parent = births_a_parent(call.effect->emitters, index);
+  const uint32_t look_mesh = look.meshes.empty() ? 0 : meshes.add(*call.effect, look.meshes);
+  const uint32_t cards_each = look.opaque           ? 0
+                              : look.ribbon         ? 2
+                              : look.meshes.empty() ? 1
+                                                    : meshes.most_triangles(look_mesh, look.meshes.size());
   return {.seed = seed,
           .shape = uint32_t(shape.kind),
           .life_min = spawn.life_ticks.min,
@@ -110,7 +116,7 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .diffusion = glm::radians(look.diffusion_deg),
           .generation = lineage_of(call.effect->emitters, index).generation,
           .parent = 0,  // where it stands is known when its table is made
-          .per_parent = parent ? parent->children(longest_life_of(parent->index)) : 1,
+          .per_parent = per_parent,
           .birth_event = parent ? uint32_t(parent->event) : shared::kBornOfBirth,
           .birth_count = parent ? parent->count : 1,
           .birth_first = parent ? parent->first_tick : 0,
@@ -118,7 +124,15 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .inherit_velocity = parent ? parent->inherit_velocity : 0.0f,
           .path_first = 0,
           .path_count = 0,
-          .shape_mesh = shape.kind == ShapeKind::kMesh ? meshes.add(*call.effect, {&shape.mesh, 1}) : 0};
+          .shape_mesh = shape.kind == ShapeKind::kMesh ? meshes.add(*call.effect, {&shape.mesh, 1}) : 0,
+          .look_mesh = look_mesh,
+          .look_meshes = uint32_t(look.meshes.size()),
+          .cards_each = cards_each,
+          .tumble_min = glm::radians(look.tumble_deg_s.min),
+          .tumble_max = glm::radians(look.tumble_deg_s.max),
+          .gloss = look.gloss,
+          .strand_births = parent ? per_parent : look.ribbon_births,  // siblings are a strand
+          .frames_a_life = look.flipbook_loops * float(shared::kPuffFrames)};
 }
 
 uint32_t features_of(const Call& call, uint32_t index) {

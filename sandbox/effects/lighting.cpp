@@ -63,14 +63,14 @@ struct CardsPush {
 }  // namespace
 
 bool casts_shadow(const Look& look) {
-  return look.lit && look.distortion_deg == 0.0f &&
+  return look.lit && look.meshes.empty() && !look.ribbon && look.distortion_deg == 0.0f &&
          (look.cross_section_m2 || greatest(*look.opacity) > 0.0f) &&
          greatest(look.radius_m) * look.radius_scale.max >= kNarrowestCaster_m;
 }
 
 bool glows(const Look& look) {
-  return std::ranges::any_of(look.emission.keys,
-                             [](const auto& key) { return key.value != glm::vec3(0.0f); });
+  return !look.opaque && std::ranges::any_of(look.emission.keys,
+                                             [](const auto& key) { return key.value != glm::vec3(0.0f); });
 }
 
 Lighting::Lighting(gpu::Device& device, LightingOptions options, const std::map<uint32_t, glm::vec3>& glowing)

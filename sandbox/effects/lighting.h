@@ -9,9 +9,10 @@
 
 namespace plume {
 
-/// Emitters whose particles are wide enough that their shadow is seen. Flat colours and haze cast none.
+/// Emitters whose particles are wide enough that their shadow is seen. Flat colours, haze, meshes and ribbons
+/// cast none.
 bool casts_shadow(const Look& look);
-/// Emitters that are a light to others.
+/// Emitters that are a light to others. Opaque pieces are none.
 bool glows(const Look& look);
 
 /// What a scene asks for.

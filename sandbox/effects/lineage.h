@@ -15,6 +15,10 @@ struct Lineage {
   uint32_t generation = 0;  ///< ancestors above
 };
 
+/// Births for each of its parent. A trail, which is a ribbon of children of a life, has one more than are
+/// born before the longest life ends: while the parent lives there is always one to come, who is its head.
+uint32_t births_a_parent(const std::vector<Emitter>& emitters, uint32_t index);
+
 /// Parents stand before their children in `emitters`, as the reader makes sure.
 Lineage lineage_of(const std::vector<Emitter>& emitters, uint32_t index);
 

@@ -24,6 +24,13 @@ float radius_of(const Mesh& mesh) {
   return farthest;
 }
 
+float below(const Mesh& mesh) {
+  float least = 0;
+  for (const auto& triangle : mesh.triangles)
+    for (const glm::vec3& corner : triangle) least = std::min(least, corner.z);
+  return -least;
+}
+
 }  // namespace
 
 std::vector<shared::MeshTriangle> mesh_triangles(const Mesh& mesh) {
@@ -53,7 +60,8 @@ uint32_t MeshTable::add(const Effect& effect, std::span<const MeshName> names) {
       const auto triangles = mesh_triangles(*mesh);
       known_[name.id] = {.first = uint32_t(triangles_.size()),
                          .count = uint32_t(triangles.size()),
-                         .inv_radius = 1.0f / radius_of(*mesh)};
+                         .inv_radius = 1.0f / radius_of(*mesh),
+                         .below = below(*mesh)};
       triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
     }
     ranges_.push_back(known_.at(name.id));

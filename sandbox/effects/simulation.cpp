@@ -38,13 +38,38 @@ Source source_of(const Look& look) {
   return look.distortion_deg > 0.0f ? Source::kHaze : plume::source_of(look.transmission);
 }
 
+/// What turns particles into cards; pieces are opaque and are drawn themselves.
+enum class CardKind : uint32_t { kSprites, kMeshes, kRibbons, kPieces };
+constexpr std::array kCardShaders{"effects/cards.comp", "effects/cards_mesh.comp",
+                                  "effects/cards_ribbon.comp"};
+
+CardKind card_kind(const Look& look) {
+  if (look.opaque) return CardKind::kPieces;
+  if (look.ribbon) return CardKind::kRibbons;
+  return look.meshes.empty() ? CardKind::kSprites : CardKind::kMeshes;
+}
+
 /// Kernels of cards in the order in which cards lie: those of one source stand together.
-constexpr uint32_t kSourceShift = 30;
-constexpr uint32_t kSourceBits = 3u << kSourceShift;
+///   source << kSourceShift | CardKind << kKindShift | features
+constexpr uint32_t kSourceShift = 30, kKindShift = 28;
+constexpr uint32_t kFeatureBits = (1u << kKindShift) - 1;
 
 uint32_t cards_kernel(const Emitter& emitter) {
-  return uint32_t(source_of(emitter.look)) << kSourceShift |
+  return uint32_t(source_of(emitter.look)) << kSourceShift | uint32_t(card_kind(emitter.look)) << kKindShift |
          (features_of(emitter) & shared::kUsesDisplacement);
+}
+
+CardKind card_kind(uint32_t cards_kernel) {
+  return CardKind(cards_kernel >> kKindShift & 3u);
+}
+
+/// A mesh's faces are shared out; a ribbon's segment and all else are a thread's.
+uint32_t threads_a_birth(uint32_t cards_kernel, uint32_t cards_each) {
+  return card_kind(cards_kernel) == CardKind::kMeshes ? cards_each : 1;
+}
+
+uint32_t cards_of_kernel(const SpanList::Kernel& kernel) {
+  return card_kind(kernel.id) == CardKind::kRibbons ? 2 * kernel.threads : kernel.threads;
 }
 
 bool sees(const Views& views, const Bounds& bounds) {
@@ -254,13 +279,19 @@ void Simulation::add_seek(const EmitterState& emitter, uint64_t first, uint64_t 
 
 /// Which births are stepped and which are sought so that every emitter reaches what is wanted of it.
 void Simulation::plan() {
-  living_.clear(), steps_.clear(), births_.clear();
+  living_.clear(), pieces_.clear(), steps_.clear(), births_.clear();
   for (SpanList& seeks : seeks_) seeks.clear();
   for (EmitterState& emitter : emitters_) {
     if (!emitter.wanted) continue;
     const uint32_t tick = *emitter.wanted;
     const uint64_t first = emitter.schedule.first_alive(tick), end = emitter.schedule.births(tick);
-    living_.add(emitter.cards, span_of(emitter, first, end));
+    if (card_kind(emitter.cards) != CardKind::kPieces)
+      living_.add(emitter.cards, span_of(emitter, first, end),
+                  threads_a_birth(emitter.cards, emitter.data.cards_each));
+    else
+      pieces_.push_back(
+          {.span = span_of(emitter, first, end),
+           .triangles = meshes_.most_triangles(emitter.data.look_mesh, emitter.data.look_meshes)});
     emitter.ticks = emitter.dispatches = 0;
     if (emitter.reached == tick) continue;
     uint64_t fresh = first;  // those after it come by seeking
@@ -344,34 +375,48 @@ std::vector<gpu::PassTime> Simulation::seek(uint32_t tick) {
 }
 
 uint32_t Simulation::cards() const {
-  uint32_t threads = 0;
-  for (const SpanList::Kernel& kernel : living_.kernels()) threads += kernel.threads;
-  return threads;
+  uint32_t cards = 0;
+  for (const SpanList::Kernel& kernel : living_.kernels()) cards += cards_of_kernel(kernel);
+  return cards;
 }
 
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                               uint32_t first_card, const gpu::Buffer* bodies) const {
   uint32_t first_body = 0;
   for (const SpanList::Kernel& kernel : living_.kernels()) {
+    gpu::Bindings bindings = mesh_bindings();
+    bindings.insert(bindings.end(), {{"Particles", &particles_},
+                                     {"Spans", &living_.buffer()},
+                                     {"Emitters", &emitter_data_},
+                                     {"View", &view},
+                                     {"Curves", &curves_},
+                                     {"Cards", &cards},
+                                     // Unused in that variant, but a descriptor points somewhere.
+                                     {"Bodies", bodies ? bodies : &cards}});
     pass.dispatch(
-        pipelines_.compute("effects/cards.comp", {kernel.id & ~kSourceBits, bodies ? 1u : 0u}),
-        {{"Particles", &particles_},
-         {"Spans", &living_.buffer()},
-         {"Emitters", &emitter_data_},
-         {"View", &view},
-         {"Curves", &curves_},
-         {"Cards", &cards},
-         {"Bodies", bodies ? bodies : &cards}},  // unused in that variant, but a descriptor points somewhere
+        pipelines_.compute(kCardShaders[size_t(card_kind(kernel.id))],
+                           {kernel.id & kFeatureBits, bodies ? 1u : 0u}),
+        bindings,
         CardsPush{.kernel = push_of(kernel), .first_card = first_card + first_body, .first_body = first_body},
         {gpu::groups(kernel.threads, kGroupSize), 1, 1});
-    first_body += kernel.threads;
+    first_body += cards_of_kernel(kernel);
   }
+}
+
+Simulation::Pieces Simulation::pieces() const {
+  if (pieces_.empty()) return {};
+  return {.draws = pieces_,
+          .particles = &particles_,
+          .emitters = &emitter_data_,
+          .curves = &curves_,
+          .mesh_ranges = &meshes_.ranges(),
+          .mesh_triangles = &meshes_.triangles()};
 }
 
 std::array<uint32_t, kSources> Simulation::cards_by_source() const {
   std::array<uint32_t, kSources> result{};
   for (const EmitterState& emitter : emitters_)
-    if (emitter.wanted) result[emitter.cards >> kSourceShift] += living(emitter);
+    if (emitter.wanted) result[emitter.cards >> kSourceShift] += cards_of(emitter);
   return result;
 }
 
@@ -384,7 +429,7 @@ std::vector<Simulation::EmitterCards> Simulation::cards_by_emitter() const {
     const Emitter& described = call.effect->emitters[emitter.index];
     EmitterCards& cards = result[calls_[emitter.call].first_emitter + emitter.index];
     cards = {.first = first,
-             .count = living(emitter),
+             .count = cards_of(emitter),
              .call = emitter.call,
              .emitter = &described,
              .origin = emitter.data.origin,

@@ -46,7 +46,7 @@ class Simulation {
   void set_frozen(uint32_t call, bool frozen);
 
   uint32_t tick() const { return tick_.value(); }
-  /// Cards that record_cards() writes: the living, the just dead and those not born yet.
+  /// Cards that record_cards() writes: of the living, the just dead and those not born yet.
   uint32_t cards() const;
   /// The same by source, in the order of the enumeration, which is also that of the cards.
   std::array<uint32_t, kSources> cards_by_source() const;
@@ -62,6 +62,19 @@ class Simulation {
   /// `bodies`, when light asks for them: shared::LitBody[cards()], one a card.
   void record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards, uint32_t first_card,
                     const gpu::Buffer* bodies = nullptr) const;
+
+  /// What is opaque and drawn as meshes, the just dead and those not born yet included. Nothing: no buffers
+  /// either.
+  struct Pieces {
+    struct Draw {
+      shared::Span span;
+      uint32_t triangles;  ///< of the largest mesh
+    };
+    std::vector<Draw> draws;  ///< one an emitter
+    const gpu::Buffer *particles = nullptr, *emitters = nullptr, *curves = nullptr, *mesh_ranges = nullptr,
+                      *mesh_triangles = nullptr;
+  };
+  Pieces pieces() const;
 
   /// The states of all particles in the living windows, in the order of emitters and births. Waits for the
   /// device.
@@ -110,6 +123,7 @@ class Simulation {
   void fill_tables();
   void plan();
   uint32_t living(const EmitterState& emitter) const;
+  uint32_t cards_of(const EmitterState& emitter) const { return living(emitter) * emitter.data.cards_each; }
   shared::Span span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const;
   void add_seek(const EmitterState& emitter, uint64_t first, uint64_t end);
   gpu::Bindings mesh_bindings() const;
@@ -126,9 +140,10 @@ class Simulation {
   MeshTable meshes_;
   gpu::Buffer emitter_data_, curves_, path_keys_;  // of those awake
   gpu::Buffer particles_, births_buffer_;
-  std::vector<uint32_t> births_;  // how many were born before each tick: see Span
-  SpanList living_;               // every particle that can be alive at this tick: what cards are made of
-  SpanList steps_;                // those that go on from the tick before
+  std::vector<uint32_t> births_;      // how many were born before each tick: see Span
+  SpanList living_;                   // every particle that can be alive at this tick: what cards are made of
+  std::vector<Pieces::Draw> pieces_;  // the same of what is opaque
+  SpanList steps_;                    // those that go on from the tick before
   std::vector<SpanList>
       seeks_;  // those that are brought to this tick from their births, dispatch by dispatch
   std::optional<uint32_t> tick_;

@@ -9,21 +9,21 @@ void SpanList::clear() {
   kernels_.clear();
 }
 
-void SpanList::add(uint32_t kernel, shared::Span span) {
+void SpanList::add(uint32_t kernel, shared::Span span, uint32_t threads_a_birth) {
   if (span.count == 0) return;
-  std::vector<shared::Span>& spans = by_kernel_[kernel];
-  span.offset = spans.empty() ? 0 : spans.back().offset + spans.back().count;
-  spans.push_back(span);
+  Spans& of_kernel = by_kernel_[kernel];
+  span.offset = of_kernel.threads;
+  of_kernel.threads += span.count * threads_a_birth;
+  of_kernel.spans.push_back(span);
 }
 
 void SpanList::upload(gpu::Device& device, const char* label) {
   std::vector<shared::Span> all;
   kernels_.clear();
-  for (const auto& [id, spans] : by_kernel_) {
-    kernels_.push_back({.id = id,
-                        .threads = spans.back().offset + spans.back().count,
-                        .first_span = uint32_t(all.size()),
-                        .spans = uint32_t(spans.size())});
+  for (const auto& [id, of_kernel] : by_kernel_) {
+    const auto& [spans, threads] = of_kernel;
+    kernels_.push_back(
+        {.id = id, .threads = threads, .first_span = uint32_t(all.size()), .spans = uint32_t(spans.size())});
     all.insert(all.end(), spans.begin(), spans.end());
   }
   if (!all.empty()) plume::upload(device, buffer_, label, all);

@@ -21,7 +21,7 @@ class SpanList {
   void clear();
   /// Empty spans are left out. Spans keep the order in which they were added to a kernel; `offset` is set
   /// here.
-  void add(uint32_t kernel, shared::Span span);
+  void add(uint32_t kernel, shared::Span span, uint32_t threads_a_birth = 1);
   /// Makes what was added readable for the device, which must be idle.
   void upload(gpu::Device& device, const char* label);
 
@@ -30,7 +30,11 @@ class SpanList {
   const gpu::Buffer& buffer() const { return buffer_; }
 
  private:
-  std::map<uint32_t, std::vector<shared::Span>> by_kernel_;
+  struct Spans {
+    std::vector<shared::Span> spans;
+    uint32_t threads = 0;
+  };
+  std::map<uint32_t, Spans> by_kernel_;
   std::vector<Kernel> kernels_;
   gpu::Buffer buffer_;
 };

@@ -18,9 +18,9 @@ namespace {
 constexpr std::string_view kShapes[] = {"point", "sphere", "hemisphere", "box",
                                         "cone",  "ring",   "line",       "mesh"};
 constexpr std::string_view kOffScreen[] = {"continue", "pause"};
-constexpr std::string_view kTextures[] = {"puff", "disc", "soft"};
+constexpr std::string_view kTextures[] = {"puff", "disc", "soft", "solid"}, kBands[] = {"soft", "solid"};
 
-constexpr size_t kMaxEmitters = 64;
+constexpr size_t kMaxEmitters = 64, kMaxMeshesALook = 16;
 constexpr Limits kRate{0, 1e6, "particles a second"};
 constexpr Limits kShare{0, 1};
 constexpr Limits kRadiance{0, 10'000};
@@ -122,10 +122,8 @@ void read_layer(TableReader& look, const std::vector<Layer>& layers, Look& out) 
     out.camera_offset_m += layer->camera_offset_m;
 }
 
-void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
-  look.choice("texture", out.texture, kTextures);
-  look.curve("radius_m", out.radius_m, {0.001, 100, "m"});
-  look.range("radius_scale", out.radius_scale, {0.01, 100});
+/// How much it covers and what it lets pass, of everything but solid pieces.
+void read_coverage(TableReader& look, const std::vector<Layer>& layers, Look& out) {
   float cross_section = 0;
   if (look.number("cross_section_m2", cross_section, {1e-6, 10'000, "m^2"}))
     out.cross_section_m2 = cross_section;
@@ -136,23 +134,61 @@ void read_look(TableReader& look, const std::vector<Layer>& layers, Look& out) {
                 fmt::format("{} of `cross_section_m2` and `opacity` given, expected exactly one of them",
                             look.has("opacity") ? "both" : "neither"));
   look.curve("fade", out.fade, {0, 100});
-  look.toggle("lit", out.lit);
-  look.gradient("color", out.color, out.lit ? kShare : kRadiance);
-  look.gradient("emission", out.emission, kRadiance);
   look.number("feather_m", out.feather_m, {0, 100, "m"});
   look.vector("transmission", out.transmission, kShare);
   look.number("diffusion_deg", out.diffusion_deg, {0, 45, "degrees"});
+  look.number("camera_offset_m", out.camera_offset_m, kCameraOffset);
+  read_layer(look, layers, out);
+  look.integer("draw_order", out.draw_order, kDrawOrder);
+}
+
+/// Births joined to a band; siblings are a band of their own.
+void read_ribbon(TableReader& look, bool is_child, Look& out) {
+  out.texture = TextureKind::kSoft;
+  uint32_t band = 0;
+  if (look.choice("texture", band, kBands) && band == 1) out.texture = TextureKind::kSolid;
+  if (!is_child) look.integer("ribbon_births", out.ribbon_births, {2, 1'000'000, "births"});
+}
+
+/// A flat card that turns to the camera.
+void read_sprite(TableReader& look, Look& out) {
+  look.choice("texture", out.texture, kTextures);
   if (look.number("distortion_deg", out.distortion_deg, {0, 45, "degrees"}) && out.distortion_deg > 0 &&
       !is_clear(out))
     look.report("distortion_deg",
                 "an emitter that distorts also covers or shines, expected `opacity` = 0 and no `emission`: "
                 "give the haze an emitter of its own");
-  look.number("camera_offset_m", out.camera_offset_m, kCameraOffset);
-  read_layer(look, layers, out);
+  if (look.number("flipbook_loops", out.flipbook_loops, {0, 100, "loops a life"})) {
+    if (look.has("flipbook_fps"))
+      look.report("flipbook_loops", "both `flipbook_loops` and `flipbook_fps` given, expected one of them");
+    out.flipbook_fps = 0;
+  }
   look.number("flipbook_fps", out.flipbook_fps, {0, 240, "frames a second"});
   look.range("spin_deg_s", out.spin_deg_s, {-3600, 3600, "degrees a second"});
   look.number("stretch_s", out.stretch_s, {0, 10, "s"});
-  look.integer("draw_order", out.draw_order, kDrawOrder);
+}
+
+/// Asks only for what the kind uses, so that a key without effect is reported as unknown.
+void read_look(TableReader& look, const std::vector<Layer>& layers, bool is_child, Look& out) {
+  const bool mesh = read_meshes(look, "mesh", out.meshes, kMaxMeshesALook);
+  look.curve("radius_m", out.radius_m, {0.001, 100, "m"});
+  look.range("radius_scale", out.radius_scale, {0.01, 100});
+  look.toggle("lit", out.lit);
+  look.gradient("color", out.color, out.lit ? kShare : kRadiance);
+  look.gradient("emission", out.emission, kRadiance);
+  if (mesh) {
+    look.range("tumble_deg_s", out.tumble_deg_s, {-3600, 3600, "degrees a second"});
+    look.toggle("opaque", out.opaque);
+  }
+  if (mesh && out.opaque) return;
+  if (!mesh) look.toggle("ribbon", out.ribbon);
+  read_coverage(look, layers, out);
+  if (mesh)
+    look.number("gloss", out.gloss, kShare);
+  else if (out.ribbon)
+    read_ribbon(look, is_child, out);
+  else
+    read_sprite(look, out);
 }
 
 /// A box about the instance: what leaves it ends. Bounds from forces alone allow for the worst of noise all
@@ -204,7 +240,7 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
           table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
           table.table("motion", [&](TableReader& motion) { read_motion(motion, fields, emitter.motion); });
           table.table(
-              "look", [&](TableReader& look) { read_look(look, effect.layers, emitter.look); },
+              "look", [&](TableReader& look) { read_look(look, effect.layers, is_child, emitter.look); },
               Need::kRequired);
           if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())
             table.report("name", fmt::format("a second emitter is named \"{}\", expected a name of its own",

@@ -16,6 +16,8 @@ class OpaqueScene {
   void record_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
                     const gpu::Buffer& view, const Lighting* lighting = nullptr) const;
 
+  const gpu::Buffer& solids() const { return solids_; }
+
  private:
   gpu::Buffer solids_;
   uint32_t count_;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "sandbox/effects/puff_textures.h"
+#include "sandbox/scene/debris.h"
 #include "sandbox/scene/pane_card.h"
 #include "sandbox/scene/view.h"
 
@@ -131,10 +132,13 @@ Prelude Stage::prelude() const {
                 });
                 lighting_->record(frame, view_, cards_, uint32_t(scalar_panes_.size()));
                 opaque_.record_depth(frame, targets, view_);
+                record_debris_depth(frame, targets, simulation_->pieces(), view_);
               },
           .opaque =
               [this](gpu::Frame& frame, const Targets& targets, const gpu::Image& depth) {
                 opaque_.record_color(frame, targets, depth, view_, &*lighting_);
+                record_debris_color(frame, targets, depth, simulation_->pieces(), view_, opaque_.solids(),
+                                    *lighting_);
               }};
 }
 

@@ -47,6 +47,13 @@ void add(inout Directed sum, vec3 light, vec3 towards, vec3 albedo, float tau) {
   sum.mean += towards * dot(arriving, kLuminance);
 }
 
+// A card as a plane that light falls on: sprites turn to the camera as a whole, triangles are seen from both sides.
+vec3 towards_eye(Card card) {
+  if ((card.layers & kCardTriangle) == 0u) return -view.forward;
+  const vec3 normal = normalize(cross(card.axis_u, card.axis_v));
+  return dot(normal, view.camera - card.center) < 0.0 ? -normal : normal;
+}
+
 void main() {
   const uint i = gl_GlobalInvocationID.x;
   if (i >= count) return;
@@ -71,5 +78,5 @@ void main() {
   cards[first_card + i].sunlit = pack_half4(vec4(albedo.rgb * sum.light, blend));
   cards[first_card + i].ambient = pack_half4(vec4(albedo.rgb * sky_light(view) * total_share(sky_tau), 0.0));
   cards[first_card + i].light = pack_half4(
-      vec4(dot(towards, normalize(card.axis_u)), dot(towards, normalize(card.axis_v)), -dot(towards, view.forward), 0.0));
+      vec4(dot(towards, normalize(card.axis_u)), dot(towards, normalize(card.axis_v)), dot(towards, towards_eye(card)), 0.0));
 }

@@ -37,6 +37,7 @@ vec4 plain_texel(vec2 uv, uint layer) {
   float density = 1.0;                                              // solid
   if (layer == kDiscLayer) density = 1.15 * (1.0 - smoothstep(0.75, 1.0, sqrt(r2)));
   if (layer == kSoftLayer) density = 3.0 * max(1.0 - r2, 0.0) * max(1.0 - r2, 0.0);
+  if (layer == kBandLayer) density = 1.875 * (1.0 - uv.y * uv.y) * (1.0 - uv.y * uv.y);
   return vec4(density / kTextureDepth, 0.5, 0.5, 1.0);
 }
 

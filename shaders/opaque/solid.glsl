@@ -1,25 +1,13 @@
-// Solids lit by the sun, with exact shadows against the analytic bodies, and by the sky. Materials are procedural.
-// Whoever includes this says what else there is on the way of light.
+// Solids in the light of lighting.glsl. Materials are procedural.
 #ifndef PLUME_OPAQUE_SOLID_GLSL
 #define PLUME_OPAQUE_SOLID_GLSL
+#include "opaque/lighting.glsl"
 #include "shared/hash.h"
-#include "shared/solid.h"
-#include "shared/view.h"
-
-layout(scalar, binding = 0) uniform View { ViewData view; };
-layout(scalar, binding = 1) readonly buffer Solids { SolidData solids[]; };
 
 layout(location = 0) in vec3 v_world;
 layout(location = 1) in vec3 v_normal;
 layout(location = 2) flat in uint v_solid;
 layout(location = 0) out vec4 color;
-
-struct Reached {
-  float sun;    // share of it that reaches a place
-  float sky;
-  vec3 added;   // irradiance / pi from other lights on a surface there
-};
-Reached reached(vec3 world, vec3 normal);
 
 float noise(vec2 p) {
   const vec2 base = floor(p), f = p - base, u = f * f * (3.0 - 2.0 * f);
@@ -80,40 +68,6 @@ vec3 albedo(SolidData s, vec3 normal) {
   }
 }
 
-bool hits_box(SolidData s, vec3 origin, vec3 direction) {
-  const vec3 local = origin - s.position;
-  const vec3 o = vec3(local.x * s.yaw_cos - local.z * s.yaw_sin, local.y, local.z * s.yaw_cos + local.x * s.yaw_sin);
-  const vec3 d = vec3(direction.x * s.yaw_cos - direction.z * s.yaw_sin, direction.y, direction.z * s.yaw_cos + direction.x * s.yaw_sin);
-  const vec3 a = (-s.half_size - o) / d, b = (s.half_size - o) / d;
-  const vec3 enter = min(a, b), leave = max(a, b);
-  return max(max(enter.x, enter.y), max(enter.z, 0.0)) < min(leave.x, min(leave.y, leave.z));
-}
-
-// Least distance between the ray and the capsule's core, against its radius.
-bool hits_capsule(SolidData s, vec3 origin, vec3 direction) {
-  const vec3 core = s.end - s.position, gap = origin - s.position;
-  const float cc = max(dot(core, core), 1e-12), cd = dot(core, direction), cg = dot(core, gap), dg = dot(direction, gap);
-  const float denominator = max(cc - cd * cd, 1e-12);
-  float along = clamp((cg - cd * dg) / denominator, 0.0, 1.0);
-  float t = along * cd - dg;
-  if (t < 0.0) {
-    t = 0.0;
-    along = clamp(cg / cc, 0.0, 1.0);
-  }
-  const vec3 between = gap + direction * t - core * along;
-  return dot(between, between) < s.radius * s.radius;
-}
-
-float sunlight(vec3 origin) {
-  for (uint i = 0u; i < view.solid_count; ++i) {
-    const SolidData s = solids[i];
-    if (s.kind == kSolidPlane) continue;
-    const bool hit = s.kind == kSolidBox ? hits_box(s, origin, view.sun_direction) : hits_capsule(s, origin, view.sun_direction);
-    if (hit) return 0.0;
-  }
-  return 1.0;
-}
-
 void main() {
   const SolidData s = solids[v_solid];
   if (s.material == kMaterialUnlit) {
@@ -121,13 +75,8 @@ void main() {
     return;
   }
   const vec3 normal = normalize(v_normal);
-  const float facing = max(dot(normal, view.sun_direction), 0.0);
-  const vec3 offset = normal * (s.kind >= kSolidSphere ? 0.04 + 0.15 * s.radius : 0.01);   // meshes lie inside their round bodies
-  const Reached light = reached(v_world, normal);
-  const vec3 sun = light.sun * view.sun_color * facing * (facing > 0.0 ? sunlight(v_world + offset) : 0.0);
-  const vec3 sky = mix(view.horizon * 0.45, view.zenith * 0.6 + view.horizon * 0.35, normal.y * 0.5 + 0.5);
-  const float contact = 1.0 - 0.45 * exp(-3.0 * max(v_world.y, 0.0)) * (1.0 - abs(normal.y));   // darker where walls meet ground
-  color = vec4(albedo(s, normal) * (sun + light.sky * sky * contact + light.added), 1.0);
+  const float offset_m = s.kind >= kSolidSphere ? 0.04 + 0.15 * s.radius : 0.01;   // meshes lie inside their round bodies
+  color = vec4(albedo(s, normal) * light_on(v_world, normal, offset_m), 1.0);
 }
 
 #endif

@@ -19,6 +19,7 @@ struct MeshRange {
   uint first;  // of its triangles
   uint count;
   float inv_radius;  // 1 / the farthest corner's distance from the mesh's origin
+  float below;       // how far it reaches from there along -z, on which it rests
 };
 
 PLUME_SHARED_END

@@ -128,7 +128,15 @@ struct EmitterData {
   float inherit_velocity;
   uint path_first;  // keys of the path that the emitter moves on
   uint path_count;
-  uint shape_mesh;  // of the mesh ranges
+  uint shape_mesh;   // of the mesh ranges
+  uint look_mesh;    // the first of them
+  uint look_meshes;  // to choose from; 0: particles are no meshes
+  uint cards_each;   // cards a particle
+  float tumble_min;  // rad/s
+  float tumble_max;
+  float gloss;
+  uint strand_births;   // that one ribbon joins; 0: all
+  float frames_a_life;  // flipbook
 };
 
 // Where an emitter is at a tick since its call, from where it was called.
@@ -155,7 +163,7 @@ struct Span {
   uint base;        // slot
   uint capacity;    // slots
   uint first_slot;  // first mod capacity: a division a thread saved
-  uint offset;      // sum of counts before: first thread, first card
+  uint offset;      // first thread
   uint tick;        // of the emitter, since its call
   uint per_root;    // births of one ancestor that has a rate
   uint resume;  // catch-up: particles born before this tick have been brought to the one before it; 0: none

@@ -1,0 +1,63 @@
+#include "sandbox/scene/debris.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "shaders/effects/debris.h"
+
+namespace plume {
+namespace {
+
+void draw_pieces(gpu::Pass& pass, const Simulation::Pieces& pieces, const gpu::Draw& style) {
+  for (const auto& [span, triangles] : pieces.draws) {
+    gpu::Draw draw = style;
+    draw.vertex = "opaque/debris.vert";
+    draw.bindings.insert(draw.bindings.end(), {{"Particles", pieces.particles},
+                                               {"Emitters", pieces.emitters},
+                                               {"Curves", pieces.curves},
+                                               {"MeshRanges", pieces.mesh_ranges},
+                                               {"MeshTriangles", pieces.mesh_triangles}});
+    draw.vertices = 3 * triangles;
+    draw.instances = span.count;
+    pass.draw(draw, shared::DebrisDraw{.emitter = span.emitter,
+                                       .first = span.first,
+                                       .base = span.base,
+                                       .capacity = span.capacity,
+                                       .first_slot = span.first_slot});
+  }
+}
+
+}  // namespace
+
+void record_debris_depth(gpu::Frame& frame, const Targets& targets, const Simulation::Pieces& pieces,
+                         const gpu::Buffer& view) {
+  if (pieces.draws.empty()) return;
+  frame.pass("debris depth", [&](gpu::Pass& pass) {
+    draw_pieces(pass, pieces,
+                {.depth = &targets.opaque_depth,
+                 .depth_use = gpu::DepthUse::kTestAndWrite,
+                 .area = {targets.size.x, targets.size.y},
+                 .bindings = {{"View", &view}}});
+  });
+}
+
+void record_debris_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
+                         const Simulation::Pieces& pieces, const gpu::Buffer& view, const gpu::Buffer& solids,
+                         const Lighting& lighting) {
+  if (pieces.draws.empty()) return;
+  gpu::Bindings bindings{{"View", &view}, {"Solids", &solids}};
+  const bool lit = lighting.bodies();
+  if (lit) std::ranges::move(lighting.bindings(), std::back_inserter(bindings));
+  frame.pass("debris", [&](gpu::Pass& pass) {
+    draw_pieces(pass, pieces,
+                {.fragment = lit ? "opaque/debris_lit.frag" : "opaque/debris.frag",
+                 .targets = {{.image = &targets.opaque_color, .blend = gpu::Blend::kReplace, .clear = {}}},
+                 .depth = &depth,  // equal where visible
+                 .depth_use = gpu::DepthUse::kTest,
+                 .area = {targets.size.x, targets.size.y},
+                 .constants = lit ? gpu::Constants{lighting.shadows() ? 1u : 0u} : gpu::Constants{},
+                 .bindings = bindings});
+  });
+}
+
+}  // namespace plume

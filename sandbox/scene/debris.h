@@ -1,0 +1,20 @@
+// Opaque particles among the solids of the opaque image: they cover smoke and are covered like walls, with
+// sharp edges. No pass where no emitter of them is awake. They throw no shadow on other things.
+#ifndef PLUME_SCENE_DEBRIS_H
+#define PLUME_SCENE_DEBRIS_H
+
+#include "renderer/frame.h"
+#include "sandbox/effects/lighting.h"
+
+namespace plume {
+
+/// Into the depth that solids have been drawn to.
+void record_debris_depth(gpu::Frame& frame, const Targets& targets, const Simulation::Pieces& pieces,
+                         const gpu::Buffer& view);
+/// Over the colours of the solids, what `depth`, the opaque depth or something nearer, leaves visible.
+void record_debris_color(gpu::Frame& frame, const Targets& targets, const gpu::Image& depth,
+                         const Simulation::Pieces& pieces, const gpu::Buffer& view, const gpu::Buffer& solids,
+                         const Lighting& lighting);
+
+}  // namespace plume
+#endif
