@@ -325,7 +325,7 @@ TEST_F(LightingTest, CellsGrowEvenlyWithTheCloud) {
 TEST_F(LightingTest, MoreFiresThanThereAreLightsShareThem) {
   for (const auto& [instances, lights] : {std::pair(0u, 0u), {3u, 3u}, {12u, shared::kMostFires}}) {
     Scene fires;
-    fires.camera = {{}};
+    fires.camera = {{.position = {60, 0, 200}, .target = {60, 0, 0}}};  // all are seen
     for (uint32_t i = 0; i < instances; ++i) {
       fires.instances.push_back(
           {.name = std::to_string(i), .effect = "sparks", .effect_at = {}, .call_tick = 0});
