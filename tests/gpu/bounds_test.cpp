@@ -36,6 +36,7 @@ class BoundsTest : public GpuTest {
       Bounds bounds;
       for (const float u : {-1.0f, 1.0f})
         for (const float v : {-1.0f, 1.0f}) {
+          if (u + v > 0 && (card.layers & shared::kCardTriangle)) continue;
           const glm::vec3 corner = card.center + u * card.axis_u + v * card.axis_v;
           bounds.add({corner, corner});
         }
@@ -205,6 +206,28 @@ TEST_F(BoundsTest, HoldWhatCollides) {
                                  .friction = dice.sometimes(0, 1),
                                  .radius_m = dice.sometimes(0, 0.2f)};
     check(effect, 5, random, {}, solids);
+  }
+}
+
+TEST_F(BoundsTest, HoldMeshesRibbonsAndTrailsOfChildren) {
+  std::mt19937 random(7);
+  Dice dice(random);
+  for (int i = 0; i < 8; ++i) {
+    Effect effect = random_effect(dice, i);
+    Emitter& first = effect.emitters[0];
+    first.look.ribbon = i % 2 == 0;
+    if (!first.look.ribbon) {
+      effect.meshes = {{.id = "shard", .triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 0.3f, -2}}}}}};
+      first.look.meshes = {{.id = "shard"}};
+    }
+    if (i % 4 < 2) {
+      Emitter child = first;
+      child.name = "child";
+      child.spawn.rate = {};
+      child.parent = Parent{.emitter = "e", .index = 0, .event = BirthEvent::kLife, .every_ticks = 9};
+      effect.emitters.push_back(child);
+    }
+    check(effect, 3, random);
   }
 }
 

@@ -219,5 +219,79 @@ TEST(EffectReader, NamesTheFileInEveryDiagnostic) {
   }
 }
 
+/// Of one emitter with this shape and this look, what is wrong.
+std::vector<std::string> mistakes_with(const std::string& shape, const std::string& look) {
+  std::vector<std::string> messages;
+  try {
+    read_effect_text("name = 'E'\n[[emitter]]\nname = 'e'\nspawn = {bursts = [[0, 1]], life = 1}\nshape = {" +
+                         shape + "}\nlook = {" + look + "}\n",
+                     "e.toml");
+  } catch (const FileErrors& errors) {
+    for (const Diagnostic& d : errors.diagnostics()) messages.push_back(to_string(d));
+  }
+  return messages;
+}
+
+TEST(EffectReader, ReadsLinesMeshesRibbonsAndFlipbooksOverLife) {
+  const Effect effect = read_effect_text(R"(
+name = "E"
+[[emitter]]
+name = "glass"
+spawn = { bursts = [[0, 1]], life = 1 }
+shape = { kind = "mesh", mesh = "pane", scale = 2 }
+look = { mesh = ["a", "b"], opacity = 0.5, tumble_deg_s = [10, 20], gloss = 0.75 }
+[[emitter]]
+name = "debris"
+spawn = { bursts = [[0, 1]], life = 1 }
+shape = { kind = "line", to_m = [1, 2, 3] }
+look = { mesh = "chunk", opaque = true }
+[[emitter]]
+name = "trail"
+spawn = { bursts = [[0, 1]], life = 1 }
+look = { ribbon = true, texture = "solid", opacity = 0.5, ribbon_births = 12 }
+[[emitter]]
+name = "puff"
+spawn = { bursts = [[0, 1]], life = 1 }
+look = { opacity = 0.5, flipbook_loops = 1 }
+)",
+                                         "e.toml");
+  const Emitter &glass = effect.emitters[0], &debris = effect.emitters[1], &trail = effect.emitters[2],
+                &puff = effect.emitters[3];
+  EXPECT_EQ(ShapeKind::kMesh, glass.shape.kind);
+  EXPECT_EQ("pane", glass.shape.mesh.id);
+  EXPECT_EQ(6u, glass.shape.mesh.line);
+  EXPECT_EQ(2.0f, glass.shape.scale);
+  ASSERT_EQ(2u, glass.look.meshes.size());
+  EXPECT_EQ("b", glass.look.meshes[1].id);
+  EXPECT_EQ(20.0f, glass.look.tumble_deg_s.max);
+  EXPECT_EQ(0.75f, glass.look.gloss);
+  EXPECT_EQ(glm::vec3(1, 2, 3), debris.shape.to_m);
+  EXPECT_TRUE(debris.look.opaque);
+  EXPECT_TRUE(trail.look.ribbon);
+  EXPECT_EQ(TextureKind::kSolid, trail.look.texture);
+  EXPECT_EQ(12u, trail.look.ribbon_births);
+  EXPECT_EQ(1.0f, puff.look.flipbook_loops);
+  EXPECT_EQ(0.0f, puff.look.flipbook_fps);
+  EXPECT_EQ(4u, mesh_names(effect).size());
+}
+
+TEST(EffectReader, RejectsWhatAMeshALineOrARibbonCannotBe) {
+  const std::string look = "opacity = 1";
+  EXPECT_EQ(mistakes_with("kind = 'line', to_m = [0, 0, 0]", look),
+            std::vector<std::string>{
+                "e.toml:5:32: a line without length, expected an end at least 0.001 m from its "
+                "beginning"});
+  EXPECT_EQ(1u, mistakes_with("kind = 'line'", look).size()) << "to_m is missing";
+  EXPECT_EQ(1u, mistakes_with("kind = 'mesh'", look).size()) << "mesh is missing";
+  EXPECT_EQ(1u, mistakes_with("kind = 'mesh', mesh = ['a', 'b']", look).size()) << "one mesh";
+  const std::string point = "kind = 'point'";
+  EXPECT_EQ(1u, mistakes_with(point, "mesh = [], opacity = 1").size());
+  EXPECT_EQ(1u, mistakes_with(point, "mesh = 'a', opaque = true, opacity = 1").size()) << "solid pieces";
+  EXPECT_EQ(1u, mistakes_with(point, "mesh = 'a', opacity = 1, spin_deg_s = 3").size()) << "not a sprite";
+  EXPECT_EQ(1u, mistakes_with(point, "ribbon = true, opacity = 1, texture = 'puff'").size());
+  EXPECT_EQ(1u, mistakes_with(point, "opacity = 1, flipbook_loops = 1, flipbook_fps = 8").size());
+  EXPECT_EQ(1u, mistakes_with(point, "opacity = 1, tumble_deg_s = 8").size()) << "not a mesh";
+}
+
 }  // namespace
 }  // namespace plume
