@@ -46,7 +46,7 @@ class Abuffer final : public Method {
         .limits =
             "more fragments than layers turn into one average; colours of 5 or 6 bits below the "
             "leading one, 8-bit transmittance loses thin smoke, 16-bit depth swaps near neighbours",
-        .street_rmse = 0.031,
+        .street_rmse = 0.034,
         .rounding = 1.0 / 64};
   }
 

@@ -66,7 +66,7 @@ class TileSorted final : public Method {
             "tilted cards take the road of linked lists; no haze or surface outputs; texture filters round "
             "otherwise than in a draw",
         .exact = true,
-        .rounding = 4e-3};
+        .rounding = 8e-3};
   }
   void visit(ParameterVisitor& visitor) override {
     visitor.choice("tile", tile_, kTileNames,

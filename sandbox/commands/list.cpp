@@ -226,6 +226,7 @@ void add_list(CLI::App& program, Run& run) {
   command->add_option_function<std::string>(
       "--size", [flags](const std::string& text) { flags->size = parse_size(text); },
       "picture size, WxH: of the methods' memory, or of what a scene's camera sees");
+  command->add_flag("--json", flags->json, "everything, for programs");
   command->callback([flags, &run] { run = [flags] { return run_list(*flags); }; });
 }
 

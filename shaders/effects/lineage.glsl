@@ -36,7 +36,7 @@ Kin kin_of(uint emitter, uint birth, uint generation) {
 
 bool bears(EmitterData child, uint sibling, Life parent, bool dies) {
   switch (child.birth_event) {
-    case kBornOfLife: return !dies && parent.age >= child.birth_first + sibling * child.birth_every;
+    case kBornOfLife: return parent.age >= child.birth_first + sibling * child.birth_every;
     case kBornOfDeath: return dies;
     case kBornOfCollision: return collisions(parent.motion) > sibling / child.birth_count;
     default: return true;

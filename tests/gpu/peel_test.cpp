@@ -67,8 +67,7 @@ constexpr std::string_view kBoth[] = {"peel", "peel_dual"};
 
 TEST_F(PeelTest, EqualsTheReferenceAndLosesNoFragment) {
   const glm::uvec2 picture{80, 45};
-  for (const char* scene_id :
-       {"street", "closeup", "fireball", "coloured", "glass", "sparks", "two_panes"}) {
+  for (const char* scene_id : {"street", "closeup", "fireball", "coloured", "glass", "sparks", "two_panes"}) {
     SCOPED_TRACE(scene_id);
     Stage stage(device, pipelines, library, library.scene(scene_id));
     const Targets targets(device, picture);
