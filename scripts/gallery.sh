@@ -19,6 +19,7 @@ mkdir -p "$work/tiles"
 declare -A view=(
   [dust]="90 5.5 1.4 0.7 0" [fireball]="40 9 2.8 1.8 0" [ground_mist]="660 11 2.2 0.8 0" [heat_haze]="300 4.5 1.5 1.0 0"
   [layered_fireball]="62 8 2.4 1.5 0" [marker]="60 3.4 1.7 1.7 1.95" [rust_smoke]="420 7 2.3 1.5 0" [signal_smoke]="330 8 2.8 2.0 0"
+  [rain]="200 7 1.7 1.5 0" [steam]="200 6 1.7 1.3 0" [fog_bank]="2500 14 2.0 1.0 0" [glass_shatter]="22 4.5 1.5 1.1 0"
   [smoke_grenade]="430 9 2.6 1.7 0" [sparks]="240 5 1.6 1.0 0.8" [teal_smoke]="420 7 2.3 1.5 0"
 )
 any_view="90 7 2.0 1.3 0"   # an effect without a line above
