@@ -158,17 +158,20 @@ void Simulation::pass_time(uint32_t tick, const Views& views) {
   for (uint32_t i = 0; i < calls_.size(); ++i) {
     CallState& call = calls_[i];
     if (call.call.effect->off_screen != OffScreen::kPause) continue;
-    if (tick_ && *tick_ > tick) {
-      call.clock.forget_from(tick + 1);
-      for (const Freeze& freeze : call.call.freezes) call.clock.freeze(freeze);
-    }
+    if (tick_ && *tick_ > tick) forget_after(call, tick);
     for (uint32_t t = std::max(tick_.value_or(0), call.call.tick) + 1; t <= tick; ++t)
       if (!is_seen(i, t < tick && script_ ? script_(t) : views)) call.clock.stand_still(t, t + 1);
   }
 }
 
+/// What the scene says of the time to come stays.
+void Simulation::forget_after(CallState& call, uint32_t tick) {
+  call.clock.forget_from(tick + 1);
+  for (const Freeze& freeze : call.call.freezes) call.clock.freeze(freeze);
+}
+
 void Simulation::set_frozen(uint32_t call, bool frozen) {
-  calls_.at(call).clock.forget_from(tick() + 1);
+  forget_after(calls_.at(call), tick());
   if (frozen) calls_[call].clock.freeze({tick(), UINT32_MAX - 1});
 }
 
@@ -337,8 +340,8 @@ std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick, const Views& views) 
   bool moved = false;
   for (EmitterState& emitter : emitters_) {
     const std::optional<uint32_t> local = calls_[emitter.call].clock.local(tick);
-    emitter.seen = sees(views, emitter.bounds);
-    emitter.wanted = local && emitter.seen && has_living(emitter, *local) ? local : std::nullopt;
+    const bool seen = sees(views, emitter.bounds);
+    emitter.wanted = local && seen && has_living(emitter, *local) ? local : std::nullopt;
     moved |= emitter.wanted.has_value() != emitter.reached.has_value();
   }
   gpu::Buffer old;

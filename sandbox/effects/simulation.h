@@ -96,7 +96,6 @@ class Simulation {
     CurveTable curves;
     Bounds bounds;  // of its influence
 
-    bool seen = true;                      // at this tick
     std::optional<uint32_t> wanted = {};   // its own tick that is asked for; nothing: it sleeps
     std::optional<uint32_t> reached = {};  // that of its particles in the pool
     uint32_t base = 0;                     // its first slot there
@@ -107,7 +106,7 @@ class Simulation {
   struct CallState {
     Call call;
     Clock clock;
-    uint32_t first_emitter;  // index into emitters_of_calls_: the call's, in the order of its effect
+    uint32_t first_emitter;  // index into emitter_of_call_: the call's, in the order of its effect
     uint32_t last_tick = 0;  // its own, at which anything can be alive
     InstanceDemand demand;
   };
@@ -115,6 +114,7 @@ class Simulation {
   const EmitterState& emitter_of(uint32_t call, uint32_t index) const {
     return emitters_[emitter_of_call_[calls_[call].first_emitter + index]];
   }
+  void forget_after(CallState& call, uint32_t tick);
   void pass_time(uint32_t tick, const Views& views);
   bool is_seen(uint32_t call, const Views& views) const;
   bool has_living(const EmitterState& emitter, uint32_t tick) const;
