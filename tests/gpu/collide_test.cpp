@@ -239,5 +239,28 @@ TEST_F(CollideTest, NothingGetsIntoAnySolidOfACrowdedSceneAlsoFarFromTheOrigin) 
   }
 }
 
+TEST_F(CollideTest, ALongWayAmongManySolidsIsGoneInSeveralDispatchesToTheSameBits) {
+  std::vector<Solid> solids;
+  for (int i = 0; i < 400; ++i)
+    solids.push_back({.kind = SolidKind::kSphere,
+                      .position = {float(i % 20) - 9.5f, -1, float(i / 20) - 9.5f},
+                      .radius_m = 0.4f});
+  Emitter e = falling({.bounce = 0.6f, .friction = 0.1f, .radius_m = 0.02f}, 16);
+  e.spawn.rate = {{0, 40}, {90, 40}};
+  e.spawn.life_ticks = {30, 120};
+  e.motion.speed = {0, 3};
+  shared::EmitterData hardest{};
+  hardest.round_count = uint32_t(solids.size());
+  ASSERT_LT(LoopsPerTick(hardest, 0).ticks_per_dispatch(), 30u) << "or there is nothing to cut";
+  const Effect effect = effect_of({e});
+  Simulation stepped = simulate(effect, {.solids = solids}), sought = simulate(effect, {.solids = solids});
+  stepped.seek(0);
+  for (const uint32_t tick : {20u, 45u, 100u}) {
+    while (stepped.tick() < tick) stepped.step();
+    sought.seek(tick);
+    EXPECT_EQ(stepped.state_hash(), sought.state_hash()) << "tick " << tick;
+  }
+}
+
 }  // namespace
 }  // namespace plume

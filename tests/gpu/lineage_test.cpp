@@ -177,7 +177,7 @@ TEST_F(LineageTest, AMovingInstanceBearsAlongItsPath) {
   e.spawn.bursts = {};
   e.spawn.per_metre = 10;
   const Effect effect = effect_of({e});
-  const Path path({{10, {0, 0, 0}}, {70, {6, 0, 0}}});
+  const Path path({{10, {0, 2, 0}}, {40, {3, 2, 0}}, {70, {6, 2, 0}}});
   Simulation simulation(device, pipelines,
                         {{.name = "test",
                           .effect = &effect,
@@ -190,7 +190,10 @@ TEST_F(LineageTest, AMovingInstanceBearsAlongItsPath) {
   simulation.seek(200);
   const auto particles = simulation.particles();
   ASSERT_EQ(60u, particles.size());
-  for (uint32_t i = 0; i < 60; ++i) EXPECT_NEAR(1 + 0.05 + 0.1 * i, particles[i].position.x, 0.051) << i;
+  for (uint32_t i = 0; i < 60; ++i) {
+    EXPECT_NEAR(1 + 0.05 + 0.1 * i, particles[i].position.x, 0.051) << i;
+    EXPECT_EQ(2.0f, particles[i].position.y);
+  }
 }
 
 }  // namespace
