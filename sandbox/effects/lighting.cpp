@@ -79,8 +79,7 @@ Lighting::Lighting(gpu::Device& device, LightingOptions options, const std::map<
       cells_each_way_{options.cells, std::max(options.cells / 2, shared::kLeastLightCells)},
       fire_of_call_(grouped(glowing, shared::kMostFires)) {}
 
-void Lighting::fit(const std::vector<Simulation::EmitterCards>& emitters, uint32_t cards) {
-  using EmitterCards = Simulation::EmitterCards;
+void Lighting::fit(const std::vector<EmitterCards>& emitters, uint32_t cards) {
   const auto any = [&](auto asks) {
     return std::ranges::any_of(emitters, [&](const EmitterCards& e) { return asks(e.emitter->look); });
   };
@@ -134,7 +133,7 @@ void Lighting::fit_volumes(Volumes wanted) {
         {.owner = "light", .label = "bounds", .bytes = shared::kLightGrids * shared::kLightBounds * 4});
 }
 
-void Lighting::fit_fires(const std::vector<Simulation::EmitterCards>& emitters) {
+void Lighting::fit_fires(const std::vector<EmitterCards>& emitters) {
   struct Fire {
     glm::vec3 origin;
     std::vector<shared::FireRange> ranges;

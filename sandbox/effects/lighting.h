@@ -29,7 +29,7 @@ class Lighting {
   Lighting(gpu::Device& device, LightingOptions options, const std::map<uint32_t, glm::vec3>& glowing);
 
   /// To be called when the tick has changed. Makes or frees what this tick's emitters call for.
-  void fit(const std::vector<Simulation::EmitterCards>& emitters, uint32_t cards);
+  void fit(const std::vector<EmitterCards>& emitters, uint32_t cards);
 
   /// Null: light asks for nothing at this tick.
   const gpu::Buffer* bodies() const { return bodies_ ? &bodies_ : nullptr; }
@@ -50,7 +50,7 @@ class Lighting {
  private:
   enum class Volumes { kNone, kEmpty, kFull };
   void fit_volumes(Volumes wanted);
-  void fit_fires(const std::vector<Simulation::EmitterCards>& emitters);
+  void fit_fires(const std::vector<EmitterCards>& emitters);
   void record_volumes(gpu::Frame& frame, const gpu::Buffer& view) const;
 
   gpu::Device& device_;

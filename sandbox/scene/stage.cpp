@@ -66,7 +66,7 @@ void Stage::fit_cards(uint32_t count) {
   }
   transparents_ = {.cards = &cards_, .order = &order_, .puffs = &puffs_, .view = &view_, .count = count};
   // As they lie in the buffer: panes, the simulation's three sources, panes. Panes emit no haze.
-  const auto [scalar, haze, rgb] = simulation_->cards_by_source();
+  const auto [scalar, haze, rgb] = cards_by_source(simulation_->instances());
   transparents_.counts = {uint32_t(scalar_panes_.size()) + scalar, haze, rgb + uint32_t(rgb_panes_.size())};
   transparents_.groups = card_groups();
 }
@@ -81,7 +81,7 @@ std::vector<CardGroup> Stage::card_groups() const {
                       .count = 1,
                       .depth = depth_of(pane.position),
                       .draw_order = pane.draw_order});
-  for (const auto& emitter : simulation_->cards_by_emitter())
+  for (const auto& emitter : cards_by_emitter(simulation_->instances()))
     groups.push_back({.first = uint32_t(scalar_panes_.size()) + emitter.first,
                       .count = emitter.count,
                       .depth = depth_of(emitter.origin),
@@ -108,7 +108,7 @@ std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::opt
     return std::vector{view_volume(make_view(scene_, camera_at(scene_.camera, t), size, t, {}))};
   });
   auto times = simulation_->go_to(tick, std::vector{view_volume(view_.mapped<shared::ViewData>()[0])});
-  lighting_->fit(simulation_->cards_by_emitter(), simulation_->cards());
+  lighting_->fit(cards_by_emitter(simulation_->instances()), simulation_->cards());
   fit_cards(uint32_t(scalar_panes_.size() + rgb_panes_.size()) + simulation_->cards());
   if (!in_order_) {
     std::vector<uint32_t> identity(capacity_);

@@ -76,7 +76,7 @@ class LightingTest : public GpuTest {
         device, {.owner = "test", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true});
     view.mapped<shared::ViewData>()[0] = make_view(scene, camera.value_or(CameraKey{}), {64, 64}, tick);
     Lighting lighting(device, options, {{0u, glm::vec3(0.0f)}});
-    lighting.fit(simulation.cards_by_emitter(), simulation.cards());
+    lighting.fit(cards_by_emitter(simulation.instances()), simulation.cards());
     const gpu::Buffer cards(
         device, {.owner = "test", .label = "cards", .bytes = simulation.cards() * sizeof(shared::Card)});
     gpu::Frame frame(device, pipelines);

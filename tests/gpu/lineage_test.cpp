@@ -41,7 +41,7 @@ class LineageTest : public MovingParticles {
   States at(Simulation& simulation, uint32_t tick) {
     simulation.seek(tick);
     States states;
-    const auto cards = simulation.cards_by_emitter();  // of those with any
+    const auto cards = cards_by_emitter(simulation.instances());  // of those with any
     const uint32_t parents = cards.size() == 2 ? cards[0].count : 0;
     for (const auto& p : simulation.particles())
       (states.parents.size() < parents ? states.parents : states.children).push_back(p);
@@ -161,7 +161,7 @@ TEST_F(LineageTest, TwoGenerationsStepAndSeekToTheSameBits) {
     while (stepped.tick() < tick) stepped.step();
     sought.seek(tick);
     ASSERT_EQ(stepped.state_hash(), sought.state_hash()) << "tick " << tick;
-    const auto cards = sought.cards_by_emitter();
+    const auto cards = cards_by_emitter(sought.instances());
     const auto particles = sought.particles();
     if (cards.size() == 3)
       for (size_t i = particles.size() - cards[2].count; i < particles.size(); ++i)
