@@ -28,9 +28,13 @@ CardKind kind_of(uint32_t kernel) {
 
 }  // namespace
 
-uint32_t card_kernel(const Emitter& emitter) {
-  return uint32_t(source_of(emitter.look)) << kSourceShift | uint32_t(kind_of(emitter.look)) << kKindShift |
-         (features_of(emitter) & shared::kUsesDisplacement);
+/// What moves a particle is a matter of cards only where no state is kept.
+uint32_t card_kernel(const Look& look, uint32_t features) {
+  uint32_t drawn = shared::kUsesDisplacement;
+  if ((features & shared::kIsAnalytic) != 0)
+    drawn |= shared::kIsAnalytic | shared::kUsesPath | shared::kUsesMeshShape;
+  return uint32_t(source_of(look)) << kSourceShift | uint32_t(kind_of(look)) << kKindShift |
+         (features & drawn);
 }
 
 bool makes_pieces(uint32_t kernel) {

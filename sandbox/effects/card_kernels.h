@@ -12,7 +12,8 @@ namespace plume {
 
 /// Kernels in the order in which cards lie: those of one source stand together.
 ///   source << kSourceShift | kind << kKindShift | features
-uint32_t card_kernel(const Emitter& emitter);
+/// `features` are those of its motion.
+uint32_t card_kernel(const Look& look, uint32_t features);
 
 /// Pieces are opaque meshes, which are drawn themselves: their kernel has no shader.
 bool makes_pieces(uint32_t kernel);

@@ -167,6 +167,9 @@ struct Motion {
   std::vector<KillVolume> kill;
   std::optional<Collision> collision;
   Displacement curl_displacement;
+  /// No state is kept: place and velocity follow from the age. With gravity, drag, wind and displacement
+  /// only.
+  bool analytic = false;
 };
 
 enum class TextureKind : uint32_t { kPuff, kDisc, kSoft, kSolid };

@@ -24,6 +24,20 @@ float inverse_or_zero(float value) {
   return value > 0.0f ? 1.0f / value : 0.0f;
 }
 
+/// Drag as shaders/effects/ballistic.glsl takes it, exact for weak drag too.
+struct Decay {
+  double per_tick, share = 1.0, lag = 0.5;
+};
+Decay decay_of(double drag) {
+  const double q = drag / kTicksPerSecond;
+  if (q == 0.0) return {.per_tick = 0.0};
+  const double per_tick = std::log1p(q), share = per_tick / q;
+  // (1 - share) / q cancels; its series is 1/2 - q/3 + q^2/4 - ...
+  return {.per_tick = per_tick,
+          .share = share,
+          .lag = q < 1e-3 ? 0.5 - q / 3.0 + q * q / 4.0 - q * q * q / 5.0 : (1.0 - share) / q};
+}
+
 }  // namespace
 
 float camera_offset_m(const Call& call, const Emitter& emitter) {
@@ -48,6 +62,7 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
   const double orbit_angle = glm::radians(360.0 * double(motion.orbit) / kTicksPerSecond);
   const Collision collision = motion.collision.value_or(Collision{});
   const Displacement& displacement = motion.curl_displacement;
+  const Decay decay = decay_of(motion.drag);
   const uint32_t per_parent = births_a_parent(call.effect->emitters, index);
   const uint32_t look_mesh = look.meshes.empty() ? 0 : meshes.add(*call.effect, look.meshes);
   const uint32_t cards_each = look.opaque           ? 0
@@ -78,6 +93,9 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .velocity = turn(motion.velocity),
           .gravity = {0.0f, -kStandardGravity * motion.gravity, 0.0f},
           .drag = motion.drag,
+          .decay = float(decay.per_tick),
+          .decay_share = float(decay.share),
+          .decay_lag = float(decay.lag),
           .wind = wind * motion.wind,
           .buoyancy = motion.buoyancy,
           .inv_cooling = inverse_or_zero(motion.cooling_s),
@@ -137,9 +155,9 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
 
 uint32_t features_of(const Call& call, uint32_t index) {
   const std::vector<Emitter>& emitters = call.effect->emitters;
-  uint32_t features = call.path ? shared::kUsesPath : 0;
+  uint32_t features = features_of(emitters[index]) | (call.path ? shared::kUsesPath : 0);
   for (const Emitter* emitter = &emitters[index];; emitter = &emitters[emitter->parent->index]) {
-    features |= features_of(*emitter);
+    features |= features_of(*emitter) & ~shared::kIsAnalytic;  // what a child's slot carries is stepped
     if (emitter->shape.kind == ShapeKind::kMesh) features |= shared::kUsesMeshShape;
     if (!emitter->parent) return features;
     features |= shared::kUsesLineage;

@@ -45,7 +45,8 @@ Instances make_instances(std::vector<Call> calls, uint32_t scene_seed, glm::vec3
                                                   .solids = &solids}));
     const uint32_t first = uint32_t(members.size());
     for (uint32_t e = 0; e < call.effect->emitters.size(); ++e)
-      members.push_back({uint32_t(result.calls.size()), e, card_kernel(call.effect->emitters[e])});
+      members.push_back({uint32_t(result.calls.size()), e,
+                         card_kernel(call.effect->emitters[e].look, features_of(call, e))});
     result.calls.push_back(call_state(std::move(call), first));
   }
   std::ranges::stable_sort(members, {}, &Member::card_kernel);

@@ -34,7 +34,9 @@ struct EmitterState {
   uint32_t place = 0;                    // in the table of emitters on the device
   uint32_t ticks = 0, dispatches = 0;    // that reaching it took
 
-  uint32_t slots() const { return uint32_t(schedule.capacity()); }
+  bool is_analytic() const { return (features & shared::kIsAnalytic) != 0; }
+  /// Of the pool.
+  uint32_t slots() const { return is_analytic() ? 0 : uint32_t(schedule.capacity()); }
   /// Births that may be alive at its own tick are [first_alive, births).
   bool has_living(uint32_t tick) const { return schedule.births(tick) > schedule.first_alive(tick); }
   /// How many may be at the tick that is wanted.

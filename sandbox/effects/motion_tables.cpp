@@ -78,6 +78,7 @@ uint32_t features_of(const Emitter& emitter) {
   if (m.collision) features |= shared::kUsesCollision;
   if (!m.kill.empty()) features |= shared::kUsesKill;
   if (m.curl_displacement.amplitude_m != 0.0f) features |= shared::kUsesDisplacement;
+  if (m.analytic) features |= shared::kIsAnalytic;
   return features;
 }
 

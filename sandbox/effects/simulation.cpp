@@ -67,7 +67,7 @@ std::vector<vk::BufferCopy> Simulation::lay_out_pool() {
       emitter.reached.reset();
       continue;
     }
-    if (emitter.reached)
+    if (emitter.reached && emitter.slots() > 0)
       kept.push_back({.srcOffset = uint64_t(emitter.base) * sizeof(Particle),
                       .dstOffset = uint64_t(base) * sizeof(Particle),
                       .size = uint64_t(emitter.slots()) * sizeof(Particle)});
@@ -78,8 +78,6 @@ std::vector<vk::BufferCopy> Simulation::lay_out_pool() {
   if (base > 0)
     particles_ = gpu::Buffer(
         device_, {.owner = "particles", .label = "particles", .bytes = uint64_t(base) * sizeof(Particle)});
-  else  // all asleep
-    for (gpu::Buffer* unused : {&emitter_data_, &curves_, &path_keys_, &births_buffer_}) *unused = {};
   return kept;
 }
 
@@ -113,11 +111,13 @@ void Simulation::fill_tables() {
       data.back().parent = instances_.emitter_of(emitter.call, parent->index).place;
     curves.insert(curves.end(), emitter.curves.begin(), emitter.curves.end());
   }
-  if (data.empty()) return;
+  if (data.empty()) {  // all asleep
+    for (gpu::Buffer* unused : {&emitter_data_, &curves_, &path_keys_, &births_buffer_}) *unused = {};
+    return;
+  }
   upload(device_, emitter_data_, "emitters", data);
   upload(device_, curves_, "curves", curves);
-  if (paths.empty()) paths.push_back({});  // a descriptor needs something to point at
-  upload(device_, path_keys_, "path keys", paths);
+  if (!paths.empty()) upload(device_, path_keys_, "path keys", paths);
 }
 
 Span Simulation::span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const {
@@ -125,22 +125,27 @@ Span Simulation::span_of(const EmitterState& emitter, uint64_t first, uint64_t e
           .first = uint32_t(first),
           .count = uint32_t(end - first),
           .base = emitter.base,
-          .capacity = emitter.slots(),
-          .first_slot = uint32_t(first % emitter.slots()),
+          .capacity = uint32_t(emitter.schedule.capacity()),
+          .first_slot = uint32_t(first % emitter.schedule.capacity()),
           .tick = *emitter.wanted,
           .per_root = uint32_t(emitter.lineage.per_root)};
+}
+
+/// How many roots had been born before each tick from the span's first birth to its own tick.
+void Simulation::add_births(Span& span, const EmitterState& emitter) {
+  span.births_base = uint32_t(births_.size());
+  span.births_tick = emitter.schedule.birth_tick(span.first);
+  span.births_count = span.tick - span.births_tick + 1;
+  const auto roots = [&](uint32_t tick) { return uint32_t(emitter.schedule.births(tick) / span.per_root); };
+  births_.push_back(span.births_tick == 0 ? 0 : roots(span.births_tick - 1));
+  for (uint32_t tick = span.births_tick; tick <= span.tick; ++tick) births_.push_back(roots(tick));
 }
 
 /// Births [first, end), from their ancestors' births on.
 void Simulation::add_seek(const EmitterState& emitter, uint64_t first, uint64_t end) {
   if (first == end) return;
   Span span = span_of(emitter, first, end);
-  span.births_base = uint32_t(births_.size());
-  span.births_tick = emitter.schedule.birth_tick(first);
-  span.births_count = span.tick - span.births_tick + 1;
-  const auto roots = [&](uint32_t tick) { return uint32_t(emitter.schedule.births(tick) / span.per_root); };
-  births_.push_back(span.births_tick == 0 ? 0 : roots(span.births_tick - 1));
-  for (uint32_t tick = span.births_tick; tick <= span.tick; ++tick) births_.push_back(roots(tick));
+  add_births(span, emitter);
   const uint32_t ticks = loops_.at(motion_kernel(emitter.features)).ticks_per_dispatch();
   const uint32_t last = span.tick;
   size_t dispatch = 0;
@@ -160,14 +165,16 @@ void Simulation::plan() {
     if (!emitter.wanted) continue;
     const uint32_t tick = *emitter.wanted;
     const uint64_t first = emitter.schedule.first_alive(tick), end = emitter.schedule.births(tick);
-    if (!makes_pieces(emitter.card_kernel))
-      living_.add(emitter.card_kernel, span_of(emitter, first, end),
-                  threads_a_birth(emitter.card_kernel, emitter.data.cards_each));
-    else
+    Span span = span_of(emitter, first, end);
+    if (emitter.is_analytic()) add_births(span, emitter);
+    if (makes_pieces(emitter.card_kernel))
       pieces_.push_back(
-          {.span = span_of(emitter, first, end),
+          {.span = span,
            .triangles = meshes_.most_triangles(emitter.data.look_mesh, emitter.data.look_meshes)});
+    else
+      living_.add(emitter.card_kernel, span, threads_a_birth(emitter.card_kernel, emitter.data.cards_each));
     emitter.ticks = emitter.dispatches = 0;
+    if (emitter.is_analytic()) emitter.reached = tick;
     if (emitter.reached == tick) continue;
     uint64_t fresh = first;  // those after it come by seeking
     if (tick > 0 && emitter.reached == tick - 1) {
@@ -184,25 +191,27 @@ void Simulation::plan() {
   }
   living_.upload(device_, "living"), steps_.upload(device_, "steps");
   for (SpanList& seeks : seeks_) seeks.upload(device_, "seeks");
-  upload(device_, births_buffer_, "births", births_);
+  if (!births_.empty()) upload(device_, births_buffer_, "births", births_);
 }
 
-/// Where there are no meshes a descriptor still needs something to point at.
-gpu::Bindings Simulation::mesh_bindings() const {
-  return {{"MeshRanges", meshes_.empty() ? &emitter_data_ : &meshes_.ranges()},
-          {"MeshTriangles", meshes_.empty() ? &emitter_data_ : &meshes_.triangles()}};
+/// What any kernel may ask for. A descriptor needs something to point at where there is nothing.
+gpu::Bindings Simulation::bindings(const SpanList& list) const {
+  const auto or_any = [&](const gpu::Buffer& buffer) { return buffer ? &buffer : &emitter_data_; };
+  return {{"Particles", or_any(particles_)},
+          {"Spans", &list.buffer()},
+          {"Emitters", &emitter_data_},
+          {"Curves", &curves_},
+          {"Births", or_any(births_buffer_)},
+          {"PathKeys", or_any(path_keys_)},
+          {"MeshRanges", or_any(meshes_.ranges())},
+          {"MeshTriangles", or_any(meshes_.triangles())}};
 }
 
 void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list) const {
-  gpu::Bindings bindings = tables_.bindings();
-  for (const gpu::Binding& mesh : mesh_bindings()) bindings.push_back(mesh);
-  bindings.insert(bindings.end(), {{"Particles", &particles_},
-                                   {"Spans", &list.buffer()},
-                                   {"Emitters", &emitter_data_},
-                                   {"Births", &births_buffer_},
-                                   {"PathKeys", &path_keys_}});
+  gpu::Bindings bound = tables_.bindings();
+  for (const gpu::Binding& own : bindings(list)) bound.push_back(own);
   for (const SpanList::Kernel& kernel : list.kernels())
-    pass.dispatch(pipelines_.compute(shader, {kernel.id}), bindings, push_of(kernel),
+    pass.dispatch(pipelines_.compute(shader, {kernel.id}), bound, push_of(kernel),
                   {gpu::groups(kernel.threads, kGroupSize), 1, 1});
 }
 
@@ -251,19 +260,13 @@ uint32_t Simulation::cards() const {
 
 void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gpu::Buffer& cards,
                               uint32_t first_card, const gpu::Buffer* bodies) const {
+  gpu::Bindings bound = bindings(living_);
+  // Bodies are unused in one variant, but a descriptor points somewhere.
+  bound.insert(bound.end(), {{"View", &view}, {"Cards", &cards}, {"Bodies", bodies ? bodies : &cards}});
   uint32_t first_body = 0;
   for (const SpanList::Kernel& kernel : living_.kernels()) {
-    gpu::Bindings bindings = mesh_bindings();
-    bindings.insert(bindings.end(), {{"Particles", &particles_},
-                                     {"Spans", &living_.buffer()},
-                                     {"Emitters", &emitter_data_},
-                                     {"View", &view},
-                                     {"Curves", &curves_},
-                                     {"Cards", &cards},
-                                     // Unused in that variant, but a descriptor points somewhere.
-                                     {"Bodies", bodies ? bodies : &cards}});
     pass.dispatch(
-        pipelines_.compute(card_shader(kernel.id), {card_features(kernel.id), bodies ? 1u : 0u}), bindings,
+        pipelines_.compute(card_shader(kernel.id), {card_features(kernel.id), bodies ? 1u : 0u}), bound,
         CardsPush{.kernel = push_of(kernel), .first_card = first_card + first_body, .first_body = first_body},
         {gpu::groups(kernel.threads, kGroupSize), 1, 1});
     first_body += cards_of(kernel);
@@ -285,7 +288,7 @@ std::vector<Particle> Simulation::particles() const {
   if (!particles_) return result;
   const auto pool = gpu::read<Particle>(device_, particles_);
   for (const EmitterState& emitter : instances_.emitters) {
-    if (!emitter.wanted) continue;
+    if (!emitter.wanted || emitter.is_analytic()) continue;
     const uint64_t first = emitter.schedule.first_alive(*emitter.wanted);
     for (uint64_t birth = first; birth < first + emitter.living(); ++birth)
       result.push_back(pool[emitter.base + birth % emitter.slots()]);

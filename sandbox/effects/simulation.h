@@ -59,8 +59,8 @@ class Simulation {
   };
   Pieces pieces() const;
 
-  /// The states of all particles in the living windows, in the order of emitters and births. Waits for the
-  /// device.
+  /// The states of all particles in the living windows, in the order of emitters and births; of analytic
+  /// emitters there are none. Waits for the device.
   std::vector<shared::Particle> particles() const;
   /// FNV-1a, 64 bits, of particles().
   uint64_t state_hash() const;
@@ -73,8 +73,9 @@ class Simulation {
   void fill_tables();
   void plan();
   shared::Span span_of(const EmitterState& emitter, uint64_t first, uint64_t end) const;
+  void add_births(shared::Span& span, const EmitterState& emitter);
   void add_seek(const EmitterState& emitter, uint64_t first, uint64_t end);
-  gpu::Bindings mesh_bindings() const;
+  gpu::Bindings bindings(const SpanList& list) const;
   void record(gpu::Pass& pass, const char* shader, const SpanList& list) const;
 
   gpu::Device& device_;

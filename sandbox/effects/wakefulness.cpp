@@ -81,8 +81,8 @@ void count_demand(Instances& instances, uint32_t tick, bool jumped) {
       count.dispatches = std::max<uint64_t>(count.dispatches, emitter.dispatches);
     } else if (const auto local = instance.clock.local(tick); local && emitter.has_living(*local)) {
       demand.bytes_saved += bytes;
-      count.ticks_saved =
-          std::max<uint64_t>(count.ticks_saved, jumped ? std::min(*local, emitter.lineage.life) : 1);
+      const uint32_t ticks = jumped ? std::min(*local, emitter.lineage.life) : 1;
+      count.ticks_saved = std::max<uint64_t>(count.ticks_saved, emitter.is_analytic() ? 0 : ticks);
     }
   }
   for (size_t i = 0; i < instances.calls.size(); ++i) {

@@ -198,6 +198,7 @@ void read_bounds(TableReader& table, Effect& effect) {
   table.vector("position_m", box.position_m, {-1000, 1000, "m"});
   table.vector("size_m", box.size_m, {0.01, 2000, "m"}, Need::kRequired);
   for (Emitter& emitter : effect.emitters) {
+    if (emitter.motion.analytic) continue;  // without noise: its own bounds are close
     KillVolume about_origin = box;
     about_origin.position_m -= emitter.shape.offset_m;
     emitter.motion.kill.push_back(about_origin);
@@ -238,10 +239,18 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
               },
               Need::kRequired);
           table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
-          table.table("motion", [&](TableReader& motion) { read_motion(motion, fields, emitter.motion); });
+          table.table("motion", [&](TableReader& motion) {
+            read_motion(motion, fields, emitter.motion);
+            if (is_child && emitter.motion.analytic)
+              motion.report("analytic",
+                            "`analytic` of a child, whose place follows from its parent's steps: "
+                            "expected an emitter without `parent`");
+          });
           table.table(
               "look", [&](TableReader& look) { read_look(look, effect.layers, is_child, emitter.look); },
               Need::kRequired);
+          if (emitter.motion.analytic && emitter.look.opaque)
+            table.report("look", "`opaque` pieces keep their states, expected no `analytic` in `motion`");
           if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())
             table.report("name", fmt::format("a second emitter is named \"{}\", expected a name of its own",
                                              emitter.name));

@@ -100,6 +100,17 @@ void read_collision(TableReader& table, Collision& out) {
   table.number("event_speed", out.event_speed, {0, 1000, "m/s"});
 }
 
+/// What moves without a state is moved by nothing else.
+void read_analytic(TableReader& motion, Motion& out) {
+  if (!motion.toggle("analytic", out.analytic) || !out.analytic) return;
+  for (const char* key :
+       {"buoyancy", "floor_y", "curl", "vortex", "orbit", "attractor", "field", "kill", "collision"})
+    if (motion.has(key))
+      motion.report(key, fmt::format("`{}` beside `analytic`, which gravity, drag and wind alone can be: "
+                                     "expected one of the two",
+                                     key));
+}
+
 }  // namespace
 
 void read_motion(TableReader& motion, const std::filesystem::path& fields, Motion& out) {
@@ -139,6 +150,7 @@ void read_motion(TableReader& motion, const std::filesystem::path& fields, Motio
     curl.integer("octaves", d.octaves, {1, 3});
     curl.number("grow_s", d.grow_s, {0, 600, "s"});
   });
+  read_analytic(motion, out);
 }
 
 }  // namespace plume

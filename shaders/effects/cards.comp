@@ -4,13 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "effects/displacement.glsl"
 #include "effects/look.glsl"
-#include "effects/spans.glsl"
+#include "effects/state.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, binding = 0) readonly buffer Particles { Particle particles[]; };
-layout(scalar, binding = 4) uniform View { ViewData view; };
+layout(scalar, binding = 14) uniform View { ViewData view; };
 layout(scalar, binding = 6) writeonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 7) writeonly buffer Bodies { LitBody bodies[]; };   // for kBodies
+layout(scalar, binding = 9) writeonly buffer Bodies { LitBody bodies[]; };   // for kBodies
 layout(constant_id = 1) const uint kBodies = 0u;   // light asks what is there
 layout(push_constant) uniform Push {
   uint threads;
@@ -85,7 +84,7 @@ void main() {
   if (thread >= threads) return;
   const Span span = span_of(thread, first_span, span_count);
   const uint index = thread - span.offset, birth = span.first + index;
-  Particle p = particles[slot_of(span, index)];
+  Particle p = particle_at(span, index);
   const EmitterData e = emitters[span.emitter];
   const uint age = age_of(p);
   if (age == kDeadAge || generation_of(p) > 0u) {

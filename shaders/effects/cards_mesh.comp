@@ -5,15 +5,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "effects/displacement.glsl"
 #include "effects/look.glsl"
-#include "effects/spans.glsl"
+#include "effects/state.glsl"
 #include "effects/tumble.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, binding = 0) readonly buffer Particles { Particle particles[]; };
-layout(scalar, binding = 4) uniform View { ViewData view; };
+layout(scalar, binding = 14) uniform View { ViewData view; };
 layout(scalar, binding = 6) writeonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 7) readonly buffer MeshRanges { MeshRange mesh_ranges[]; };
-layout(scalar, binding = 8) readonly buffer MeshTriangles { MeshTriangle mesh_triangles[]; };
 layout(scalar, binding = 9) writeonly buffer Bodies { LitBody bodies[]; };   // for kBodies
 layout(constant_id = 1) const uint kBodies = 0u;   // light asks what is there
 layout(push_constant) uniform Push {
@@ -80,7 +77,7 @@ void main() {
   const Span span = span_of(thread, first_span, span_count);
   const EmitterData e = emitters[span.emitter];
   const uint at = thread - span.offset, index = at / e.cards_each, birth = span.first + index;
-  Particle p = particles[slot_of(span, index)];
+  Particle p = particle_at(span, index);
   const uint age = age_of(p), key = particle_key(e, birth), triangle = at % e.cards_each;
   const MeshRange mesh = mesh_ranges[mesh_of(e, key)];
   if (age == kDeadAge || generation_of(p) > 0u || triangle >= mesh.count) {

@@ -12,13 +12,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "effects/displacement.glsl"
 #include "effects/look.glsl"
-#include "effects/spans.glsl"
+#include "effects/state.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, binding = 0) readonly buffer Particles { Particle particles[]; };
-layout(scalar, binding = 4) uniform View { ViewData view; };
+layout(scalar, binding = 14) uniform View { ViewData view; };
 layout(scalar, binding = 6) writeonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 7) writeonly buffer Bodies { LitBody bodies[]; };   // for kBodies
+layout(scalar, binding = 9) writeonly buffer Bodies { LitBody bodies[]; };   // for kBodies
 layout(constant_id = 1) const uint kBodies = 0u;   // light asks what is there
 layout(push_constant) uniform Push {
   uint threads;   // segments
@@ -45,14 +44,14 @@ bool joined(Span span, EmitterData e, int index) { return e.strand_births == 0u 
 
 // Whether `index`, who is not born yet, is the first of its ribbon of whom that is so.
 bool is_head(Span span, EmitterData e, int index) {
-  return index > 0 && joined(span, e, index - 1) && generation_of(particles[slot_of(span, uint(index - 1))]) == 0u;
+  return index > 0 && joined(span, e, index - 1) && generation_of(particle_at(span, uint(index - 1))) == 0u;
 }
 
 Node node_at(Span span, EmitterData e, int index) {
   Node node;
   node.there = false;
   if (index < 0 || index >= int(span.count)) return node;
-  Particle p = particles[slot_of(span, uint(index))];
+  Particle p = particle_at(span, uint(index));
   uint age = age_of(p);
   if (age == kDeadAge || generation_of(p) > 1u) return node;
   if (generation_of(p) == 1u) {

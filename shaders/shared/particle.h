@@ -33,6 +33,7 @@ const uint kUsesPath = 128u;
 const uint kUsesLineage = 256u;
 const uint kUsesDisplacement = 512u;  // of cards only
 const uint kUsesMeshShape = 1024u;
+const uint kIsAnalytic = 2048u;  // no state is kept: see shaders/effects/ballistic.glsl
 
 struct Particle {
   vec3 position;  // world, m
@@ -69,6 +70,9 @@ struct EmitterData {
   vec3 velocity;      // added at birth, world after yaw
   vec3 gravity;       // m/s^2
   float drag;         // 1/s
+  float decay;        // the same as analytic kernels need it: ln(1 + drag dt), per tick,
+  float decay_share;  // that over drag dt,
+  float decay_lag;    // and (1 - decay_share) / (drag dt)
   vec3 wind;          // m/s, share applied
   float buoyancy;     // m/s^2
   float inv_cooling;  // 1/s
@@ -167,9 +171,10 @@ struct Span {
   uint tick;        // of the emitter, since its call
   uint per_root;    // births of one ancestor that has a rate
   uint resume;  // catch-up: particles born before this tick have been brought to the one before it; 0: none
-  uint births_base;   // catch-up: first entry of the table of how many of those were born before each tick
-  uint births_tick;   // catch-up: the tick of that entry
-  uint births_count;  // catch-up: ticks; the table has one entry more
+  // Catch-up and analytic kernels, of roots:
+  uint births_base;   // first entry of the table of how many of those were born before each tick
+  uint births_tick;   // the tick of that entry
+  uint births_count;  // ticks; the table has one entry more
 };
 
 PLUME_SHARED_END

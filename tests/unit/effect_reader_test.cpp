@@ -293,5 +293,57 @@ TEST(EffectReader, RejectsWhatAMeshALineOrARibbonCannotBe) {
   EXPECT_EQ(1u, mistakes_with(point, "opacity = 1, tumble_deg_s = 8").size()) << "not a mesh";
 }
 
+std::vector<std::string> mistakes_of_motion(const std::string& motion, const std::string& look = "",
+                                            const std::string& parent = "") {
+  try {
+    const std::string spawn =
+        parent.empty() ? "spawn = {bursts = [[0, 1]], life = 9}\n" : "spawn = {life = 9}\n";
+    read_effect_text(
+        "name = 'E'\n[[emitter]]\nname = 'first'\nspawn = {bursts = [[0, 1]], life = 9}\nlook = "
+        "{opacity = 1}\n[[emitter]]\nname = 'e'\n" +
+            parent + spawn + "motion = {" + motion + "}\nlook = {" + (look.empty() ? "opacity = 1" : look) +
+            "}\n[bounds]\nsize_m = [1, 1, 1]\n",
+        "e.toml");
+  } catch (const FileErrors& errors) {
+    std::vector<std::string> messages;
+    for (const Diagnostic& d : errors.diagnostics()) messages.push_back(to_string(d));
+    return messages;
+  }
+  return {};
+}
+
+TEST(EffectReader, AnalyticMotionIsThatOfGravityDragAndWindAlone) {
+  EXPECT_EQ(mistakes_of_motion(
+                "analytic = true, gravity = 1, drag = 2, wind = 0.5, velocity = [1, 2, 3], speed = 4, "
+                "curl_displacement = {amplitude_m = 1}"),
+            std::vector<std::string>{});
+  for (const std::string other :
+       {"buoyancy = 1", "floor_y = 0", "curl = {strength = 1}", "vortex = {strength = 1}", "orbit = 1",
+        "attractor = {position = [0, 0, 0], strength = 1}", "kill = {kind = 'sphere', radius_m = 1}",
+        "collision = {response = 'die'}"}) {
+    EXPECT_EQ(mistakes_of_motion("analytic = false, " + other), std::vector<std::string>{});
+    const auto found = mistakes_of_motion("analytic = true, " + other);
+    ASSERT_EQ(1u, found.size()) << other;
+    EXPECT_NE(std::string::npos, found[0].find("beside `analytic`")) << found[0];
+  }
+  EXPECT_EQ(1u,
+            mistakes_of_motion("analytic = true", "", "parent = {emitter = 'first', on = 'death'}\n").size());
+  EXPECT_EQ(1u, mistakes_of_motion("analytic = true", "mesh = 'a', opaque = true").size());
+}
+
+TEST(EffectReader, BoundsAreForWhatKeepsAState) {
+  const auto kill_volumes = [](const std::string& motion) {
+    return read_effect_text(
+               "name = 'E'\n[[emitter]]\nname = 'e'\nspawn = {bursts = [[0, 1]], life = 9}\nlook = "
+               "{opacity = 1}\nmotion = {" +
+                   motion + "}\n[bounds]\nsize_m = [1, 1, 1]\n",
+               "e.toml")
+        .emitters[0]
+        .motion.kill.size();
+  };
+  EXPECT_EQ(1u, kill_volumes("gravity = 1"));
+  EXPECT_EQ(0u, kill_volumes("gravity = 1, analytic = true"));
+}
+
 }  // namespace
 }  // namespace plume
