@@ -33,7 +33,9 @@ int run_open(const OpenFlags& flags) {
   options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
   GpuSession session(options, flags.shaders);
   {
-    Viewer viewer(window, session.device, session.pipelines, library, std::move(scene), playback);
+    Workspace workspace(session.device, session.pipelines, library, std::move(scene), playback);
+    if (session.device.info().is_cpu) workspace.resolution.set_step(2);  // half, which a CPU can draw
+    Viewer viewer(window, workspace);
     viewer.run(flags.frames);
     if (!flags.screenshot.empty()) viewer.save_picture(flags.screenshot);
   }

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
+#include <tuple>
 
-#include "sandbox/debugger/panel_place.h"
+#include "sandbox/debugger/widgets.h"
 
 namespace plume {
 namespace {
@@ -16,15 +18,6 @@ std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) result += c == '%' ? "%%" : std::string(1, c);
   return result;
-}
-
-void tooltip(std::string_view text) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
 }
 
 std::string help_of(const NumberInfo& info) {
@@ -83,46 +76,59 @@ std::string about(const Method& method) {
                      traits.limits);
 }
 
-bool pick_method(const gpu::Device& device, std::span<const MethodInstance> methods, size_t& current) {
-  bool picked = false;
-  const bool open = ImGui::BeginCombo("method", methods[current].owner.c_str());
-  if (!open) {
-    tooltip(about(*methods[current].method));
-    return false;
-  }
-  for (size_t i = 0; i < methods.size(); ++i) {
-    const auto missing = methods[i].method->missing(device);
+void pick_method(Workspace& workspace, Side& side) {
+  ImGui::SetNextItemWidth(-1);
+  const bool open = ImGui::BeginCombo("##method", side.method().owner.c_str(), ImGuiComboFlags_HeightLargest);
+  if (!open) return tooltip(about(*side.method().method));
+  for (size_t i = 0; i < side.methods.size(); ++i) {
+    const Method& method = *side.methods[i].method;
+    const auto missing = method.missing(workspace.device());
     const auto flags = missing.empty() ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-    if (ImGui::Selectable(methods[i].owner.c_str(), i == current, flags) && i != current) {
-      current = i;
-      picked = true;
-    }
-    tooltip(missing.empty() ? about(*methods[i].method)
-                            : fmt::format("unavailable: needs {}", fmt::join(missing, ", ")));
+    if (ImGui::Selectable(side.methods[i].owner.c_str(), i == side.current, flags))
+      workspace.choose_method(side, i);
+    tooltip(missing.empty() ? about(method) : fmt::format("unavailable: needs {}", fmt::join(missing, ", ")));
   }
   ImGui::EndCombo();
-  return picked;
+}
+
+void describe_side(Workspace& workspace, Side& side) {
+  ImGui::PushID(&side);
+  pick_method(workspace, side);
+  ImGui::PushID(int(side.current));
+  ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.45f);
+  ParameterWidgets widgets;
+  side.method().method->visit(widgets);
+  if (widgets.changed()) workspace.change();
+  ImGui::PopItemWidth();
+  ImGui::PopID();
+  ImGui::PopID();
+}
+
+void pick_comparison(Workspace& workspace) {
+  constexpr std::array<std::tuple<const char*, Comparison, const char*>, 3> kChoices{{
+      {"one", Comparison::kNone, "method A alone"},
+      {"split", Comparison::kSplit, "A to the left, B to the right of a divider that can be dragged (V)"},
+      {"flip", Comparison::kFlip, "B in the place of A (X, and X again)"},
+  }};
+  for (const auto& [name, comparison, help] : kChoices) {
+    if (ImGui::RadioButton(name, workspace.comparison() == comparison)) workspace.compare(comparison);
+    tooltip(help);
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
 }
 
 }  // namespace
 
-bool method_panel(const gpu::Device& device, std::span<const MethodInstance> methods, size_t& current) {
-  bool changed = false;
-  const bool open = ImGui::Begin("Method", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
-  place_panel(10, 150);
-  if (open) {
-    ImGui::PushItemWidth(200);
-    changed = pick_method(device, methods, current);
-    ImGui::Separator();
-    ImGui::PushID(int(current));
-    ParameterWidgets widgets;
-    methods[current].method->visit(widgets);
-    changed |= widgets.changed();
-    ImGui::PopID();
-    ImGui::PopItemWidth();
-  }
-  ImGui::End();
-  return changed;
+void method_panel(Interface& interface) {
+  Workspace& workspace = interface.workspace;
+  pick_comparison(workspace);
+  if (workspace.comparison() == Comparison::kNone) return describe_side(workspace, workspace.a);
+  text("A");
+  describe_side(workspace, workspace.a);
+  ImGui::Separator();
+  text("B");
+  describe_side(workspace, workspace.b);
 }
 
 }  // namespace plume

@@ -1,16 +1,12 @@
-// Which method draws, and its parameters.
+// Which method draws, with its parameters; a second one beside it when two are compared.
 #ifndef PLUME_DEBUGGER_METHOD_PANEL_H
 #define PLUME_DEBUGGER_METHOD_PANEL_H
 
-#include <span>
-
-#include "renderer/frame.h"
+#include "sandbox/debugger/interface.h"
 
 namespace plume {
 
-/// `current` is an index into `methods`; those the device cannot run are listed with what they need.
-/// True when the picture must be drawn anew.
-bool method_panel(const gpu::Device& device, std::span<const MethodInstance> methods, size_t& current);
+void method_panel(Interface& interface);
 
 }  // namespace plume
 #endif

@@ -4,13 +4,15 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
 #include <utility>
 
 #include "renderer/gpu/errors.h"
 
 namespace plume {
 namespace {
+
+constexpr float kStillPixels = 3;  // a hand that clicks trembles
 
 [[noreturn]] void refuse(const std::string& what) {
   const char* reason = nullptr;
@@ -20,21 +22,31 @@ namespace {
       reason ? ": " : "", reason ? reason : ""));
 }
 
-std::optional<Key> key_of(int code) {
-  switch (code) {
-    case GLFW_KEY_SPACE:
-      return Key::kSpace;
-    case GLFW_KEY_LEFT:
-      return Key::kLeft;
-    case GLFW_KEY_RIGHT:
-      return Key::kRight;
-    case GLFW_KEY_M:
-      return Key::kM;
-    case GLFW_KEY_ESCAPE:
-      return Key::kEscape;
-    default:
-      return std::nullopt;
+static_assert(int(Key::kEscape) == GLFW_KEY_ESCAPE && int(Key::kTab) == GLFW_KEY_TAB &&
+              int(Key::kSpace) == GLFW_KEY_SPACE && int(key('M')) == GLFW_KEY_M &&
+              int(Key::kRight) == GLFW_KEY_RIGHT && int(Key::kUp) == GLFW_KEY_UP &&
+              int(Key::kHome) == GLFW_KEY_HOME && int(Key::kEnd) == GLFW_KEY_END &&
+              int(Key::kF1) == GLFW_KEY_F1 && int(Key::kF12) == GLFW_KEY_F12 &&
+              int(Key::kLeftShift) == GLFW_KEY_LEFT_SHIFT);
+
+/// The monitor that holds most of the window.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+  int x, y, width, height, count = 0;
+  glfwGetWindowPos(window, &x, &y);
+  glfwGetWindowSize(window, &width, &height);
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  GLFWmonitor* best = glfwGetPrimaryMonitor();
+  int most = 0;
+  for (int i = 0; i < count; ++i) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    int left, top;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    if (!mode) continue;
+    const int wide = std::min(x + width, left + mode->width) - std::max(x, left);
+    const int high = std::min(y + height, top + mode->height) - std::max(y, top);
+    if (wide > 0 && high > 0 && wide * high > most) best = monitors[i], most = wide * high;
   }
+  return best;
 }
 
 }  // namespace
@@ -63,21 +75,66 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size) {
 
   // The overlay's own callbacks come later and call these.
   glfwSetWindowUserPointer(window_.get(), events_.get());
-  glfwSetKeyCallback(window_.get(), [](GLFWwindow* window, int code, int, int action, int) {
-    const auto key = key_of(code);
-    if (key && action != GLFW_RELEASE) events_of(window).input.keys.push_back(*key);
+  glfwSetKeyCallback(window_.get(), [](GLFWwindow* window, int code, int, int action, int mods) {
+    if (action == GLFW_RELEASE) return;
+    events_of(window).input.keys.push_back(
+        {Key(code), (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
   });
   glfwSetMouseButtonCallback(window_.get(), [](GLFWwindow* window, int button, int action, int) {
-    if (button == GLFW_MOUSE_BUTTON_LEFT) events_of(window).dragging = action == GLFW_PRESS;
+    Events& e = events_of(window);
+    if (size_t(button) >= e.held.size()) return;
+    e.held[size_t(button)] = action == GLFW_PRESS;
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    if (action == GLFW_PRESS)
+      e.pressed_at = e.pointer;
+    else if (glm::length(e.pointer - e.pressed_at) < kStillPixels)
+      e.input.clicks.push_back(e.pointer);
   });
   glfwSetCursorPosCallback(window_.get(), [](GLFWwindow* window, double x, double y) {
     Events& e = events_of(window);
     const glm::vec2 here(x, y);
-    if (e.dragging) e.input.drag += here - e.pointer;
+    for (size_t button = 0; button < e.held.size(); ++button)
+      if (e.held[button]) e.input.drag[button] += here - e.pointer;
     e.pointer = here;
   });
   glfwSetScrollCallback(
       window_.get(), [](GLFWwindow* window, double, double y) { events_of(window).input.wheel += float(y); });
+}
+
+void GlfwWindow::set_full_screen(bool full_screen) {
+  GLFWwindow* window = window_.get();
+  if (full_screen == (glfwGetWindowMonitor(window) != nullptr)) return;
+  if (!full_screen) {
+    glfwSetWindowMonitor(window, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w, GLFW_DONT_CARE);
+    return;
+  }
+  GLFWmonitor* monitor = monitor_of(window);
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) return;  // no monitor is connected
+  glfwGetWindowPos(window, &windowed_.x, &windowed_.y);
+  glfwGetWindowSize(window, &windowed_.z, &windowed_.w);
+  glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void GlfwWindow::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_.get(), title.c_str());
+}
+
+bool GlfwWindow::holds(Key key) const {
+  return glfwGetKey(window_.get(), int(key)) == GLFW_PRESS;
+}
+
+float GlfwWindow::pixel_ratio() const {
+  int width = 0, pixels = 0, height = 0;
+  glfwGetWindowSize(window_.get(), &width, &height);
+  glfwGetFramebufferSize(window_.get(), &pixels, &height);
+  return width > 0 ? float(pixels) / float(width) : 1.0f;
+}
+
+float GlfwWindow::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_.get(), &x, &y);
+  return x;
 }
 
 std::vector<const char*> GlfwWindow::instance_extensions() const {

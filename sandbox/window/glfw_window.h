@@ -9,19 +9,11 @@
 #include <vector>
 
 #include "renderer/gpu/vulkan.h"
+#include "sandbox/window/input.h"
 
 struct GLFWwindow;
 
 namespace plume {
-
-enum class Key { kSpace, kLeft, kRight, kM, kEscape };
-
-/// What happened since the last time it was asked. Kept in full: a slow frame loses no key and no movement.
-struct WindowInput {
-  std::vector<Key> keys;  ///< pressed, or repeated while held
-  glm::vec2 drag{0.0f};   ///< movement with the left button held, in screen coordinates
-  float wheel = 0.0f;     ///< steps; up is positive
-};
 
 class GlfwWindow {
  public:
@@ -36,6 +28,16 @@ class GlfwWindow {
   glm::uvec2 size() const;
   bool closing() const;
   void close();
+  /// Over the whole monitor it is on, or back to where it was.
+  void set_full_screen(bool full_screen);
+  void set_title(const std::string& title);
+  bool holds(Key key) const;
+  bool holds_button(Button button) const { return events_->held[size_t(button)]; }
+  /// In screen coordinates from the upper left.
+  glm::vec2 pointer() const { return events_->pointer; }
+  /// Pixels to a screen coordinate, and how much larger than on a common screen things should be drawn.
+  float pixel_ratio() const;
+  float content_scale() const;
   /// Sleeps until something happens, at most so long.
   WindowInput wait(double seconds);
   GLFWwindow* handle() const { return window_.get(); }
@@ -53,12 +55,14 @@ class GlfwWindow {
   struct Events {
     WindowInput input;
     glm::vec2 pointer{0.0f};
-    bool dragging = false;
+    std::array<bool, 3> held{};  // by Button
+    glm::vec2 pressed_at{0.0f};  // the left one
   };
   static Events& events_of(GLFWwindow* window);
 
   Library library_;
   std::unique_ptr<GLFWwindow, Destroy> window_;
+  glm::ivec4 windowed_{0};  // position and size before it was full-screen
   std::unique_ptr<Events> events_ = std::make_unique<Events>();  // address handed to GLFW
 };
 

@@ -1,152 +1,133 @@
 #include "sandbox/window/viewer.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "renderer/methods/methods.h"
-#include "sandbox/debugger/method_panel.h"
-#include "sandbox/debugger/playback_panel.h"
-#include "sandbox/debugger/timings_panel.h"
+#include "sandbox/debugger/keys.h"
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/picture.h"
-#include "sandbox/window/orbit.h"
-#include "sandbox/window/picture_copy.h"
+#include "sandbox/window/composition.h"
+#include "sandbox/workspace/camera_moves.h"
 
 namespace plume {
 namespace {
 
-constexpr std::string_view kFirstMethod = "avboit";
 constexpr double kIdleSeconds = 0.05;  // how long a tooltip may take to appear while nothing moves
 constexpr float kDegreesPerPixel = 0.25f;
-
-/// Half the window's size on a CPU, which would not keep up otherwise.
-glm::uvec2 picture_size(const gpu::Device& device, glm::uvec2 window) {
-  return device.info().is_cpu ? glm::max(window / 2u, glm::uvec2(1)) : window;
-}
-
-std::vector<MethodInstance> all_methods() {
-  std::vector<MethodInstance> methods;
-  for (const std::string& id : method_ids())
-    methods.push_back({.method = make_method(id), .owner = id, .resources = {}});
-  return methods;
-}
+constexpr float kFlyMetresPerSecond = 3.0f, kFlyFast = 4.0f;
+constexpr double kLongestStep = 0.1;  // s: a slow picture is no reason to fly through a wall
+constexpr float kDividerReach = 6;    // screen coordinates to both sides
 
 }  // namespace
 
-Viewer::Viewer(GlfwWindow& window, gpu::Device& device, gpu::Pipelines& pipelines,
-               const PresetLibrary& library, Scene scene, const Playback& playback)
+Viewer::Viewer(GlfwWindow& window, Workspace& workspace)
     : window_(window),
-      device_(device),
-      pipelines_(pipelines),
-      stage_(device, pipelines, library, std::move(scene)),
-      swapchain_(device, window.make_surface(device.instance())),
-      overlay_(device, window, swapchain_.format()),
-      methods_(all_methods()),
-      playback_(playback) {
-  while (current_ + 1 < methods_.size() && methods_[current_].owner != kFirstMethod) ++current_;
-}
+      workspace_(workspace),
+      interface_{workspace},
+      swapchain_(workspace.device(), window.make_surface(workspace.device().instance())),
+      overlay_(workspace.device(), window, swapchain_.format()) {}
 
 void Viewer::run(uint32_t frames) {
   for (uint32_t shown = 0; !window_.closing() && (frames == 0 || shown < frames);) {
     const WindowInput input = window_.wait(idle_s());
     overlay_.begin();
+    area_ = describe_panels(interface_);
     react_to(input);
-    describe_panels();
     overlay_.end();
+    if (interface_.closing) window_.close();
+    window_.set_full_screen(interface_.full_screen);
     if (window_.closing() || window_.size() == glm::uvec2(0)) continue;  // size 0: minimised
 
-    outdated_ |= playback_.advance(now_s());
-    outdated_ |= !targets_ || targets_->size != picture_size(device_, window_.size());
-    if (outdated_ || always_draw_)
-      draw_scene();
-    else if (!playback_.playing())
-      frame_ms_ = last_drawn_s_ = 0;
+    if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) draw();
     if (show()) ++shown;
   }
 }
 
+void Viewer::draw() {
+  const bool moves = workspace_.playback.playing() || dragging_;
+  drawn_for_ = picture_area();
+  workspace_.draw(drawn_for_);
+  if (moves && workspace_.resolution.learn(workspace_.frame_ms())) workspace_.change();
+}
+
 void Viewer::react_to(const WindowInput& input) {
-  if (!overlay_.takes_keys())
-    for (const Key key : input.keys) press(key);
-  if (overlay_.takes_pointer() || (input.drag == glm::vec2(0) && input.wheel == 0)) return;
-  const CameraKey from = camera_.value_or(camera_at(stage_.scene().camera, playback_.tick()));
-  camera_ = zoom(orbit(from, input.drag * kDegreesPerPixel), input.wheel);
-  outdated_ = true;
-}
-
-void Viewer::press(Key key) {
-  const uint32_t tick = playback_.tick();
-  switch (key) {
-    case Key::kSpace:
-      playback_.toggle();
-      break;
-    case Key::kLeft:
-      playback_.step_back();
-      break;
-    case Key::kRight:
-      playback_.step_forward();
-      break;
-    case Key::kM:
-      next_method();
-      break;
-    case Key::kEscape:
-      window_.close();
-      break;
+  if (!overlay_.takes_keys()) {
+    for (const KeyPress& pressed : input.keys) press(pressed, interface_);
   }
-  outdated_ |= playback_.tick() != tick;
-}
-
-void Viewer::next_method() {
-  const size_t before = current_;
-  do current_ = (current_ + 1) % methods_.size();
-  while (current_ != before && !methods_[current_].method->missing(device_).empty());
-  method_changed(before);
-}
-
-void Viewer::describe_panels() {
-  const glm::uvec2 size = targets_ ? targets_->size : glm::uvec2(0);
-  outdated_ |= playback_panel(stage_.scene(), {device_.info().name, size, frame_ms_}, playback_, camera_);
-  const size_t before = current_;
-  outdated_ |= method_panel(device_, methods_, current_);
-  method_changed(before);
-  timings_panel(timings_, device_.memory(), always_draw_);
-}
-
-void Viewer::method_changed(size_t before) {
-  if (current_ == before) return;
-  outdated_ = true;
-  methods_[before].resources = {};
-  timings_.clear();
-}
-
-void Viewer::draw_scene() {
-  const glm::uvec2 size = picture_size(device_, window_.size());
-  if (!targets_ || targets_->size != size) {
-    targets_.emplace(device_, size, stage_.post());
-    timings_.clear();
+  const bool held = window_.holds_button(Button::kLeft) || window_.holds_button(Button::kMiddle) ||
+                    window_.holds_button(Button::kRight);
+  dragging_ = held && !overlay_.takes_pointer();
+  if (!held) drags_divider_ = false;
+  if (!overlay_.takes_pointer()) {
+    drag_divider(input);
+    move_camera(input);
   }
-  auto passes = stage_.go_to(playback_.tick(), size, camera_);
-  const FrameReport report = render_frame(device_, pipelines_, *targets_, stage_.prelude(),
-                                          stage_.transparents(), methods_[current_]);
-  passes.insert(passes.end(), report.passes.begin(), report.passes.end());
-  timings_.add(passes);
-  outdated_ = false;
+  fly(std::min(now_s() - last_s_, kLongestStep));
+  last_s_ = now_s();
+}
 
-  const double now = now_s(), ms = (now - last_drawn_s_) * 1000;
-  if (last_drawn_s_ > 0) frame_ms_ = frame_ms_ > 0 ? frame_ms_ + 0.1 * (ms - frame_ms_) : ms;
-  last_drawn_s_ = now;
+void Viewer::drag_divider(const WindowInput& input) {
+  if (workspace_.comparison() != Comparison::kSplit) return;
+  const glm::vec2 pointer = window_.pointer(), moved = input.drag[size_t(Button::kLeft)];
+  const float at = area_.corner.x + workspace_.divider * area_.size.x;
+  if (moved != glm::vec2(0) && std::abs(pointer.x - moved.x - at) < kDividerReach) drags_divider_ = true;
+  if (drags_divider_)
+    workspace_.divider = std::clamp((pointer.x - area_.corner.x) / area_.size.x, 0.0f, 1.0f);
+}
+
+void Viewer::move_camera(const WindowInput& input) {
+  const auto& [left, right, middle] = input.drag;
+  if (drags_divider_ ||
+      (left == glm::vec2(0) && right == glm::vec2(0) && middle == glm::vec2(0) && input.wheel == 0))
+    return;
+  CameraKey camera = orbit(workspace_.camera(), left * kDegreesPerPixel);
+  camera = look(camera, glm::vec2(right.x, -right.y) * kDegreesPerPixel);
+  camera = pan(camera, middle / area_.size.y);
+  workspace_.set_camera(zoom(camera, input.wheel));
+}
+
+void Viewer::fly(double seconds) {
+  if (!window_.holds_button(Button::kRight) || overlay_.takes_keys()) return;
+  const auto push = [&](char ahead, char back) {
+    return float(window_.holds(key(ahead))) - float(window_.holds(key(back)));
+  };
+  const glm::vec3 way{push('D', 'A'), push('E', 'Q'), push('W', 'S')};
+  if (way == glm::vec3(0)) return;
+  const float speed = kFlyMetresPerSecond * (window_.holds(Key::kLeftShift) ? kFlyFast : 1.0f);
+  workspace_.set_camera(plume::fly(workspace_.camera(), way * speed * float(seconds)));
+}
+
+glm::uvec2 Viewer::picture_area() const {
+  return glm::max(glm::uvec2(area_.size * window_.pixel_ratio()), glm::uvec2(1));
 }
 
 bool Viewer::show() {
+  const float ratio = window_.pixel_ratio();
+  const glm::ivec2 corner(area_.corner * ratio);
+  const glm::uvec2 size = picture_area();
+  const auto columns = [&](float from, float to) {
+    const int32_t first = int32_t(std::lround(from * float(size.x))),
+                  last = int32_t(std::lround(to * float(size.x)));
+    return vk::Rect2D{{corner.x + first, corner.y}, {uint32_t(std::max(last - first, 0)), size.y}};
+  };
+  std::vector<PlacedPicture> pictures;
+  const bool split = workspace_.comparison() == Comparison::kSplit;
+  const float border = split ? workspace_.divider : workspace_.shows(workspace_.a) ? 1.0f : 0.0f;
+  if (border > 0 && workspace_.a.targets)
+    pictures.push_back({&workspace_.a.targets->display, 0, border, columns(0, border)});
+  if (border < 1 && workspace_.b.targets)
+    pictures.push_back({&workspace_.b.targets->display, border, 1, columns(border, 1)});
   return swapchain_.show(window_.size(),
-                         [this](const vk::raii::CommandBuffer& commands, const WindowImage& image) {
-                           record_picture_copy(commands, targets_->display, image);
+                         [&](const vk::raii::CommandBuffer& commands, const WindowImage& image) {
+                           record_composition(commands, pictures, image);
                            overlay_.record(commands, image);
                          });
 }
 
 void Viewer::save_picture(const std::filesystem::path& path) const {
-  if (!targets_) throw std::runtime_error("--screenshot: the window was closed before anything was drawn");
-  write_png(path, read_picture(device_, *targets_).display);
+  if (!workspace_.a.targets)
+    throw std::runtime_error("--screenshot: the window was closed before anything was drawn");
+  write_png(path, read_picture(workspace_.device(), *workspace_.a.targets).display);
 }
 
 double Viewer::now_s() const {
@@ -155,8 +136,9 @@ double Viewer::now_s() const {
 
 double Viewer::idle_s() const {
   const bool hidden = window_.size() == glm::uvec2(0);
-  if (hidden || (!outdated_ && !always_draw_ && !playback_.playing())) return kIdleSeconds;
-  return playback_.playing() && !outdated_ && !always_draw_ ? playback_.seconds_to_next(now_s()) : 0.0;
+  const bool due = workspace_.is_outdated() || workspace_.always_draw || dragging_;
+  if (hidden || (!due && !workspace_.playback.playing())) return kIdleSeconds;
+  return !due ? workspace_.playback.seconds_to_next(now_s()) : 0.0;
 }
 
 }  // namespace plume

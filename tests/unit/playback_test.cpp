@@ -1,4 +1,4 @@
-#include "sandbox/window/playback.h"
+#include "sandbox/workspace/playback.h"
 
 #include <gtest/gtest.h>
 
@@ -68,6 +68,24 @@ TEST(PlaybackTest, NeverLeavesTheScene) {
   playback.go_to(4);
   playback.go_to(4000);
   EXPECT_EQ(playback.tick(), 10u);
+}
+
+TEST(PlaybackTest, WithoutTheLoopItStopsAtTheLastTickAndPlaysAnewFromTheFirst) {
+  Playback playback(9, 10, true);
+  playback.loops = false;
+  EXPECT_TRUE(playback.advance(1));
+  EXPECT_FALSE(playback.advance(2));
+  EXPECT_FALSE(playback.playing());
+  EXPECT_EQ(playback.tick(), 10u);
+  playback.toggle();
+  EXPECT_EQ(playback.tick(), 0u);
+}
+
+TEST(PlaybackTest, PlaysAtTheSpeedThatIsChosen) {
+  Playback playback(0, 1000, true);
+  playback.speed = 0.25;
+  for (int ms = 0; ms <= 1000; ++ms) playback.advance(ms * 0.001);
+  EXPECT_NEAR(playback.tick(), 15, 2);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sandbox/window/orbit.h"
+#include "sandbox/workspace/camera_moves.h"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +55,35 @@ TEST(ZoomTest, UpIsNearerAndDownUndoesIt) {
 TEST(ZoomTest, StopsAtBothEnds) {
   EXPECT_NEAR(arm_length(zoom(camera_at_ten_metres(), 500)), kNearestOrbitM, 1e-5);
   EXPECT_NEAR(arm_length(zoom(camera_at_ten_metres(), -500)), kFarthestOrbitM, 1e-2);
+}
+
+TEST(CameraMovesTest, PanKeepsWhatIsAsFarAsTheTargetUnderThePointer) {
+  CameraKey camera{.position = {0, 1, 8}, .target = {0, 1, 0}, .vertical_fov_deg = 60};
+  const CameraKey moved = pan(camera, {0.5f, 0.25f});
+  const float height = 2 * 8 * std::tan(glm::radians(30.0f));
+  EXPECT_NEAR(moved.target.x, -0.5f * height, 1e-4f) << "the scene goes right, the camera left";
+  EXPECT_NEAR(moved.target.y, 1 + 0.25f * height, 1e-4f) << "the scene goes down, the camera up";
+  EXPECT_EQ(moved.position - moved.target, camera.position - camera.target);
+}
+
+TEST(CameraMovesTest, LookTurnsTheHeadAndFlyGoesWhereItLooks) {
+  const CameraKey camera{.position = {0, 1, 8}, .target = {0, 1, 0}};
+  const CameraKey right = look(camera, {90, 0});
+  EXPECT_EQ(right.position, camera.position);
+  EXPECT_NEAR(right.target.x, 8, 1e-4f);
+  EXPECT_NEAR(right.target.z, 8, 1e-4f);
+  EXPECT_GT(look(camera, {0, 30}).target.y, 1.0f) << "up";
+  EXPECT_LT(look(camera, {0, 120}).target.y, 1.0f + 8.0f) << "not beyond straight up";
+  const CameraKey flown = fly(right, {0, 0, 2});
+  EXPECT_NEAR(flown.position.x, 2, 1e-4f);
+  EXPECT_NEAR(fly(camera, {3, 0, 0}).position.x, 3, 1e-4f) << "to the right";
+}
+
+TEST(CameraMovesTest, FocusLooksAtAPlaceUnlessItIsTheEyesOwn) {
+  const CameraKey camera{.position = {0, 1, 8}, .target = {0, 1, 0}};
+  EXPECT_EQ(focus(camera, {1, 2, 3}).target, glm::vec3(1, 2, 3));
+  EXPECT_EQ(focus(camera, {1, 2, 3}).position, camera.position);
+  EXPECT_EQ(focus(camera, {0, 1, 8}).target, camera.target);
 }
 
 }  // namespace

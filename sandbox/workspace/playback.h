@@ -1,7 +1,7 @@
-// Which tick is shown, and when the next one is due. Every tick is shown and none is skipped: real time at
-// most, and a device that is slower than that plays slower, not coarser.
-#ifndef PLUME_WINDOW_PLAYBACK_H
-#define PLUME_WINDOW_PLAYBACK_H
+// Which tick is shown, and when the next one is due. Every tick is shown and none is skipped: the chosen
+// speed at most, and a device that is slower than that plays slower, not coarser.
+#ifndef PLUME_WORKSPACE_PLAYBACK_H
+#define PLUME_WORKSPACE_PLAYBACK_H
 
 #include <algorithm>
 #include <cstdint>
@@ -16,8 +16,14 @@ class Playback {
   uint32_t tick() const { return tick_; }
   uint32_t last_tick() const { return last_tick_; }
   bool playing() const { return playing_; }
+  double speed = 1.0;  ///< times real time
+  bool loops = true;   ///< goes on from the first tick after the last; otherwise it stops there
 
-  void toggle() { playing_ = !playing_; }
+  /// From the first tick again when it had stopped at the last.
+  void toggle() {
+    playing_ = !playing_;
+    if (playing_ && !loops && tick_ == last_tick_) tick_ = 0;
+  }
   /// Goes on playing from there.
   void go_to(uint32_t tick) { tick_ = std::min(tick, last_tick_); }
   /// Stops, so that the tick can be looked at. Stays at the ends.
@@ -30,10 +36,11 @@ class Playback {
     tick_ = std::min(tick_ + 1, last_tick_);
   }
 
-  /// One tick on when it is due, and from the last to the first; true when the tick has changed.
+  /// One tick on when it is due; true when the tick has changed.
   bool advance(double now_s) {
     if (!playing_ || now_s < next_s_) return false;
-    next_s_ = std::max(next_s_ + kTickSeconds, now_s);  // time that was lost is not caught up
+    if (!loops && tick_ == last_tick_) return playing_ = false;
+    next_s_ = std::max(next_s_ + kTickSeconds / speed, now_s);  // time that was lost is not caught up
     tick_ = tick_ < last_tick_ ? tick_ + 1 : 0;
     return true;
   }

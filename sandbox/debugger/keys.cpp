@@ -1,0 +1,122 @@
+#include "sandbox/debugger/keys.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "sandbox/debugger/widgets.h"
+
+namespace plume {
+namespace {
+
+/// Skips what this device cannot run.
+void next_method(Workspace& workspace, Side& side) {
+  size_t next = side.current;
+  do next = (next + 1) % side.methods.size();
+  while (next != side.current && !side.methods[next].method->missing(workspace.device()).empty());
+  workspace.choose_method(side, next);
+}
+
+void step(Workspace& workspace, int ticks) {
+  const uint32_t before = workspace.playback.tick();
+  if (ticks < 0)
+    workspace.playback.step_back();
+  else
+    workspace.playback.step_forward();
+  if (workspace.playback.tick() != before) workspace.change();
+}
+
+void go_to(Workspace& workspace, uint32_t tick) {
+  workspace.playback.go_to(tick);
+  workspace.change();
+}
+
+void turn(Workspace& workspace, Comparison comparison) {
+  workspace.compare(workspace.comparison() == comparison ? Comparison::kNone : comparison);
+}
+
+struct Action {
+  KeyPress press;
+  const char* name;  ///< of the key
+  const char* help;
+  void (*act)(Interface&);
+};
+
+constexpr std::array kActions{
+    Action{{Key::kSpace}, "Space", "play, pause", [](Interface& i) { i.workspace.playback.toggle(); }},
+    Action{{Key::kLeft}, "Left", "one tick back", [](Interface& i) { step(i.workspace, -1); }},
+    Action{{Key::kRight}, "Right", "one tick on", [](Interface& i) { step(i.workspace, 1); }},
+    Action{{Key::kHome}, "Home", "first tick", [](Interface& i) { go_to(i.workspace, 0); }},
+    Action{{Key::kEnd},
+           "End",
+           "last tick",
+           [](Interface& i) { go_to(i.workspace, i.workspace.playback.last_tick()); }},
+    Action{{key('M')}, "M", "next method", [](Interface& i) { next_method(i.workspace, i.workspace.a); }},
+    Action{{key('M'), true},
+           "Shift+M",
+           "next method on side B",
+           [](Interface& i) { next_method(i.workspace, i.workspace.b); }},
+    Action{{key('X')},
+           "X",
+           "method B in the place of A, and back",
+           [](Interface& i) { turn(i.workspace, Comparison::kFlip); }},
+    Action{{key('V')},
+           "V",
+           "split view: A to the left, B to the right; drag the divider",
+           [](Interface& i) { turn(i.workspace, Comparison::kSplit); }},
+    Action{
+        {key('C')}, "C", "the scene's camera again", [](Interface& i) { i.workspace.follow_scene_camera(); }},
+    Action{{key('R')},
+           "R",
+           "adapt the resolution to the rate, or hold it",
+           [](Interface& i) { i.workspace.resolution.adapts = !i.workspace.resolution.adapts; }},
+    Action{{Key::kTab}, "Tab", "hide and show the panels", [](Interface& i) { i.panels = !i.panels; }},
+    Action{{Key::kF1}, "F1", "this list", [](Interface& i) { i.help = !i.help; }},
+    Action{{Key::kF11}, "F11", "full screen", [](Interface& i) { i.full_screen = !i.full_screen; }},
+    Action{{Key::kEscape},
+           "Esc",
+           "close a list; else quit",
+           [](Interface& i) {
+             if (i.help || !i.workspace.problem.empty())
+               i.help = false, i.workspace.problem.clear();
+             else
+               i.closing = true;
+           }},
+};
+
+constexpr std::array<std::pair<const char*, const char*>, 5> kPointer{{
+    {"left drag", "orbit round the target"},
+    {"middle drag", "pan"},
+    {"right drag", "look round; with it held W A S D Q E fly, Shift faster"},
+    {"wheel", "nearer, farther"},
+    {"Ctrl+click on a slider", "type a value"},
+}};
+
+void row(const char* key, const char* help) {
+  cell(key);
+  cell(help);
+}
+
+}  // namespace
+
+void press(const KeyPress& pressed, Interface& interface) {
+  const auto action = std::ranges::find(kActions, pressed, &Action::press);
+  if (action != kActions.end()) action->act(interface);
+}
+
+void describe_keys(Interface& interface) {
+  if (!interface.help) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (ImGui::Begin("Keys", &interface.help,
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings) &&
+      ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
+    for (const Action& action : kActions) row(action.name, action.help);
+    for (const auto& [what, help] : kPointer) row(what, help);
+    ImGui::EndTable();
+  }
+  ImGui::End();
+}
+
+}  // namespace plume

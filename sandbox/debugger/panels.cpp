@@ -1,0 +1,96 @@
+#include "sandbox/debugger/panels.h"
+
+#include <imgui.h>
+
+#include <array>
+
+#include "sandbox/debugger/keys.h"
+#include "sandbox/debugger/method_panel.h"
+#include "sandbox/debugger/scene_panel.h"
+#include "sandbox/debugger/timeline.h"
+#include "sandbox/debugger/timings_panel.h"
+#include "sandbox/debugger/viewport_marks.h"
+
+namespace plume {
+namespace {
+
+enum class Dock { kLeft, kRight };
+
+struct Panel {
+  const char* title;
+  Dock dock;
+  void (*describe)(Interface&);
+};
+
+constexpr std::array kPanels{
+    Panel{"Scene", Dock::kLeft, scene_panel},
+    Panel{"Method", Dock::kRight, method_panel},
+    Panel{"Cost", Dock::kRight, timings_panel},
+};
+
+// In lines of text, so that they grow with the font.
+constexpr float kLeftWidth = 20, kRightWidth = 24, kTimelineHeight = 4.6f;
+
+constexpr ImGuiWindowFlags kDocked = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void describe_dock(const char* name, Dock dock, Area area, Interface& interface) {
+  ImGui::SetNextWindowPos({area.corner.x, area.corner.y});
+  ImGui::SetNextWindowSize({area.size.x, area.size.y});
+  if (ImGui::Begin(name, nullptr, kDocked))
+    for (const Panel& panel : kPanels)
+      if (panel.dock == dock && ImGui::CollapsingHeader(panel.title, ImGuiTreeNodeFlags_DefaultOpen)) {
+        ImGui::PushID(panel.title);
+        panel.describe(interface);
+        ImGui::PopID();
+        ImGui::Spacing();
+      }
+  ImGui::End();
+}
+
+/// What went wrong, over the picture until it is read.
+void describe_problem(Interface& interface, Area picture) {
+  std::string& problem = interface.workspace.problem;
+  if (problem.empty()) return;
+  ImGui::SetNextWindowPos(
+      {picture.corner.x + 0.5f * picture.size.x, picture.corner.y + 0.5f * picture.size.y},
+      ImGuiCond_Appearing, {0.5f, 0.5f});
+  bool open = true;
+  if (ImGui::Begin("Something went wrong", &open,
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 36);
+    ImGui::TextUnformatted(problem.c_str());
+    ImGui::PopTextWrapPos();
+    if (ImGui::Button("OK")) open = false;
+    ImGui::SameLine();
+    if (ImGui::Button("Copy")) ImGui::SetClipboardText(problem.c_str());
+  }
+  ImGui::End();
+  if (!open) problem.clear();
+}
+
+}  // namespace
+
+Area describe_panels(Interface& interface) {
+  const float line = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  Area picture{{0, 0}, {window.x, window.y}};
+  if (interface.panels) {
+    const float left = kLeftWidth * line, right = kRightWidth * line, bottom = kTimelineHeight * line;
+    describe_dock("left", Dock::kLeft, {{0, 0}, {left, window.y - bottom}}, interface);
+    describe_dock("right", Dock::kRight, {{window.x - right, 0}, {right, window.y - bottom}}, interface);
+    ImGui::SetNextWindowPos({0, window.y - bottom});
+    ImGui::SetNextWindowSize({window.x, bottom});
+    if (ImGui::Begin("timeline", nullptr, kDocked | ImGuiWindowFlags_NoScrollbar)) timeline(interface);
+    ImGui::End();
+    picture = {{left, 0}, {window.x - left - right, window.y - bottom}};
+  }
+  picture.size = glm::max(picture.size, glm::vec2(1));
+  mark_viewport(interface, picture);
+  describe_problem(interface, picture);
+  describe_keys(interface);
+  return picture;
+}
+
+}  // namespace plume

@@ -1,0 +1,124 @@
+#include "sandbox/workspace/workspace.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "renderer/methods/methods.h"
+#include "sandbox/presets/read_scene.h"
+
+namespace plume {
+namespace {
+
+constexpr std::string_view kFirstMethod = "avboit", kSecondMethod = "sorted";
+
+/// `mark` tells the memory of two sides apart.
+Side side_of(std::string_view first, const std::string& mark) {
+  Side side;
+  for (const std::string& id : method_ids())
+    side.methods.push_back({.method = make_method(id), .owner = id + mark, .resources = {}});
+  const auto found = std::ranges::find(side.methods, std::string(first) + mark, &MethodInstance::owner);
+  if (found != side.methods.end()) side.current = size_t(found - side.methods.begin());
+  return side;
+}
+
+}  // namespace
+
+Workspace::Workspace(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library,
+                     Scene scene, const Playback& playing)
+    : a(side_of(kFirstMethod, "")),
+      b(side_of(kSecondMethod, " (B)")),
+      playback(playing),
+      device_(device),
+      pipelines_(pipelines),
+      library_(library),
+      stage_(std::make_unique<Stage>(device, pipelines, library, std::move(scene))) {}
+
+void Workspace::open_scene(const std::string& id) {
+  Scene scene = library_.scene(id);
+  if (auto unknown = check_references(scene, library_); !unknown.empty())
+    throw FileErrors(std::move(unknown));
+  const Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
+  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene));
+  playback = from;
+  camera_.reset();
+  for (Side* side : {&a, &b}) {
+    side->targets.reset();  // the new scene may ask for other images
+    side->timings.clear();
+  }
+  change();
+}
+
+void Workspace::change_scene(const std::function<void(Scene&)>& how) {
+  Scene scene = stage_->scene();
+  how(scene);
+  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene));
+  for (Side* side : {&a, &b}) side->targets.reset();
+  change();
+}
+
+CameraKey Workspace::camera() const {
+  return camera_.value_or(camera_at(scene().camera, playback.tick()));
+}
+
+void Workspace::set_camera(const CameraKey& camera) {
+  camera_ = camera;
+  change();
+}
+
+void Workspace::follow_scene_camera() {
+  camera_.reset();
+  change();
+}
+
+void Workspace::choose_method(Side& side, size_t method) {
+  if (side.current == method) return;
+  side.method().resources = {};
+  side.timings.clear();
+  side.current = method;
+  change();
+}
+
+void Workspace::compare(Comparison comparison) {
+  if (comparison == comparison_) return;
+  comparison_ = comparison;
+  for (Side* side : {&a, &b}) {
+    if (shows(*side)) continue;
+    side->method().resources = {};
+    side->targets.reset();
+    side->timings.clear();
+  }
+  change();
+}
+
+bool Workspace::shows(const Side& side) const {
+  return comparison_ == Comparison::kSplit || (&side == &b) == (comparison_ == Comparison::kFlip);
+}
+
+bool Workspace::advance(double now_s) {
+  outdated_ |= playback.advance(now_s);
+  return outdated_ || always_draw;
+}
+
+void Workspace::draw(glm::uvec2 area) {
+  const auto start = std::chrono::steady_clock::now();
+  const glm::uvec2 size = resolution.picture_size(area);
+  const auto simulation = stage_->go_to(playback.tick(), size, camera_);
+  for (Side* side : {&a, &b})
+    if (shows(*side)) draw_side(*side, size, simulation);
+  outdated_ = false;
+  frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Workspace::draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation) {
+  if (!side.targets || side.targets->size != size) {
+    side.targets.emplace(device_, size, stage_->post());
+    side.timings.clear();
+  }
+  side.report = render_frame(device_, pipelines_, *side.targets, stage_->prelude(), stage_->transparents(),
+                             side.method());
+  auto passes = simulation;
+  passes.insert(passes.end(), side.report.passes.begin(), side.report.passes.end());
+  side.timings.add(passes);
+}
+
+}  // namespace plume

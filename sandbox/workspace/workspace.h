@@ -1,0 +1,94 @@
+// What one looks at and works on: a scene at a tick, seen by a camera, drawn by one method or by two side by
+// side. Knows no window: panels show and change it, the viewer draws what has changed.
+#ifndef PLUME_WORKSPACE_WORKSPACE_H
+#define PLUME_WORKSPACE_WORKSPACE_H
+
+#include <functional>
+#include <memory>
+
+#include "sandbox/measure/timing_history.h"
+#include "sandbox/scene/stage.h"
+#include "sandbox/workspace/playback.h"
+#include "sandbox/workspace/resolution_control.h"
+
+namespace plume {
+
+/// One picture of the scene, by one of the methods.
+struct Side {
+  std::vector<MethodInstance> methods;  ///< all there are, so that each keeps its settings
+  size_t current = 0;
+  std::optional<Targets> targets;  ///< nothing: it is not drawn
+  TimingHistory timings;
+  FrameReport report;  ///< of the last drawing
+
+  MethodInstance& method() { return methods[current]; }
+};
+
+enum class Comparison {
+  kNone,   ///< side A alone
+  kSplit,  ///< A to the left of the divider, B to the right
+  kFlip    ///< B in the place of A
+};
+
+class Workspace {
+ public:
+  /// Throws what Stage throws.
+  Workspace(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene,
+            const Playback& playback);
+
+  gpu::Device& device() { return device_; }
+  const PresetLibrary& library() const { return library_; }
+  const Stage& stage() const { return *stage_; }
+  const Scene& scene() const { return stage_->scene(); }
+
+  /// Shows another scene from its default tick, with the scene's own camera. Throws what the library throws,
+  /// and leaves everything as it was.
+  void open_scene(const std::string& id);
+  /// Changes the scene that is shown, at the tick that is shown.
+  void change_scene(const std::function<void(Scene&)>& change);
+
+  CameraKey camera() const;
+  /// One's own from now on.
+  void set_camera(const CameraKey& camera);
+  bool has_own_camera() const { return camera_.has_value(); }
+  void follow_scene_camera();
+
+  /// Leaves the old method without memory, and its times behind.
+  void choose_method(Side& side, size_t method);
+  void compare(Comparison comparison);
+  Comparison comparison() const { return comparison_; }
+  /// Whether a side is drawn.
+  bool shows(const Side& side) const;
+
+  /// The picture no longer shows what is set.
+  void change() { outdated_ = true; }
+  bool is_outdated() const { return outdated_; }
+  /// Draws what is shown in an area of so many pixels.
+  void draw(glm::uvec2 area);
+  /// Notes the time that has passed: plays. True when the picture must be drawn.
+  bool advance(double now_s);
+  /// Wall time of the last drawing.
+  double frame_ms() const { return frame_ms_; }
+
+  Side a, b;
+  Playback playback;
+  ResolutionControl resolution;
+  float divider = 0.5f;      ///< share of the picture's width that is A's
+  bool always_draw = false;  ///< draws though nothing changed, so that times mean something
+  std::string problem;       ///< what last went wrong, for the user to read; empty: nothing
+
+ private:
+  void draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation);
+
+  gpu::Device& device_;
+  gpu::Pipelines& pipelines_;
+  const PresetLibrary& library_;
+  std::unique_ptr<Stage> stage_;
+  std::optional<CameraKey> camera_;  // nothing: the scene's own
+  Comparison comparison_ = Comparison::kNone;
+  bool outdated_ = true;
+  double frame_ms_ = 0;  // that drawing took last
+};
+
+}  // namespace plume
+#endif
