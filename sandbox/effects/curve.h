@@ -18,11 +18,14 @@ class Curve {
     float at;  ///< normalised life, 0..1; ascends strictly
     float value;
     std::optional<float> in = {}, out = {};  ///< slopes before and after it, value per life
+    bool operator==(const Key&) const = default;
   };
   std::vector<Key> keys;
 
   Curve(float constant) : keys{{0.0f, constant}} {}
   Curve(std::vector<Key> k) : keys(std::move(k)) {}
+
+  bool operator==(const Curve&) const = default;
 
   float at(float life) const;
   /// A value and where it is taken.
@@ -47,11 +50,14 @@ struct Gradient {
   struct Key {
     float at;  ///< normalised life, 0..1; ascends strictly
     glm::vec3 value;
+    bool operator==(const Key&) const = default;
   };
   std::vector<Key> keys;
 
   Gradient(glm::vec3 constant) : keys{{0.0f, constant}} {}
   Gradient(std::vector<Key> k) : keys(std::move(k)) {}
+
+  bool operator==(const Gradient&) const = default;
 
   glm::vec3 at(float life) const;
 };

@@ -25,6 +25,7 @@ constexpr uint32_t kMaxLife = 36'000;  ///< ticks that a particle can live: 10 m
 template <class Value>
 struct Range {
   Value min, max;
+  bool operator==(const Range&) const = default;
 };
 
 /// Births of one emitter, in ticks since the instance was called; effects/spawn_schedule.h adds them up.

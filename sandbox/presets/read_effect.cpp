@@ -74,7 +74,9 @@ void read_spawn(TableReader& spawn, Spawn& out) {
 bool read_meshes(TableReader& table, std::string_view key, std::vector<MeshName>& out, size_t most,
                  Need need = Need::kOptional) {
   std::vector<std::string> names;
-  if (!table.texts(key, names, most, need)) return false;
+  const bool read = table.texts(key, names, most, need);
+  table.offer(key, {}, "mesh");
+  if (!read) return false;
   const toml::source_position at = table.position(key);
   for (std::string& name : names) out.push_back({std::move(name), table.file(), at.line, at.column});
   return true;
@@ -112,10 +114,12 @@ bool is_clear(const Look& look) {
 }
 
 void read_layer(TableReader& look, const std::vector<Layer>& layers, Look& out) {
-  if (!look.text("layer", out.layer)) return;
-  const auto layer = std::ranges::find(layers, out.layer, &Layer::name);
   std::vector<std::string> names;
   for (const Layer& known : layers) names.push_back(known.name);
+  const bool read = look.text("layer", out.layer);
+  look.offer("layer", names, "layer.name");
+  if (!read) return;
+  const auto layer = std::ranges::find(layers, out.layer, &Layer::name);
   if (layer == layers.end())
     look.report("layer", fmt::format("unknown layer \"{}\", {}", out.layer, suggestion(out.layer, names)));
   else
@@ -129,10 +133,7 @@ void read_coverage(TableReader& look, const std::vector<Layer>& layers, Look& ou
     out.cross_section_m2 = cross_section;
   Curve opacity{1.0f};
   if (look.curve("opacity", opacity, kShare)) out.opacity = opacity;
-  if (look.has("cross_section_m2") == look.has("opacity"))
-    look.report("opacity",
-                fmt::format("{} of `cross_section_m2` and `opacity` given, expected exactly one of them",
-                            look.has("opacity") ? "both" : "neither"));
+  look.exactly_one("cross_section_m2", "opacity");
   look.curve("fade", out.fade, {0, 100});
   look.number("feather_m", out.feather_m, {0, 100, "m"});
   look.vector("transmission", out.transmission, kShare);
@@ -164,6 +165,7 @@ void read_sprite(TableReader& look, Look& out) {
     out.flipbook_fps = 0;
   }
   look.number("flipbook_fps", out.flipbook_fps, {0, 240, "frames a second"});
+  look.rivals("flipbook_loops", "flipbook_fps");
   look.range("spin_deg_s", out.spin_deg_s, {-3600, 3600, "degrees a second"});
   look.number("stretch_s", out.stretch_s, {0, 10, "s"});
 }
@@ -205,61 +207,76 @@ void read_bounds(TableReader& table, Effect& effect) {
   }
 }
 
+void read_top(TableReader& top, Effect& effect) {
+  const std::filesystem::path grids =
+      std::filesystem::path(top.file()).parent_path().parent_path() / "fields";
+  top.text("name", effect.name, Need::kRequired);
+  top.text("description", effect.description);
+  top.choice("off_screen", effect.off_screen, kOffScreen);
+  top.tables("layer", kMaxEmitters, [&](TableReader& table) {
+    Layer layer;
+    table.text("name", layer.name, Need::kRequired);
+    table.number("camera_offset_m", layer.camera_offset_m, kCameraOffset, Need::kRequired);
+    if (std::ranges::find(effect.layers, layer.name, &Layer::name) != effect.layers.end())
+      table.report("name",
+                   fmt::format("a second layer is named \"{}\", expected a name of its own", layer.name));
+    effect.layers.push_back(std::move(layer));
+  });
+  top.tables(
+      "emitter", kMaxEmitters,
+      [&](TableReader& table) {
+        Emitter emitter;
+        table.text("name", emitter.name, Need::kRequired);
+        const bool is_child = table.table(
+            "parent", [&](TableReader& parent) { emitter.parent = read_parent(parent, effect.emitters); });
+        table.table(
+            "spawn",
+            [&](TableReader& spawn) {
+              is_child ? read_spawn_of_child(spawn, effect.emitters, emitter)
+                       : read_spawn(spawn, emitter.spawn);
+            },
+            Need::kRequired);
+        table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
+        table.table("motion", [&](TableReader& motion) {
+          read_motion(motion, grids, emitter.motion);
+          if (is_child && emitter.motion.analytic)
+            motion.report("analytic",
+                          "`analytic` of a child, whose place follows from its parent's steps: "
+                          "expected an emitter without `parent`");
+        });
+        table.table(
+            "look", [&](TableReader& look) { read_look(look, effect.layers, is_child, emitter.look); },
+            Need::kRequired);
+        if (emitter.motion.analytic && emitter.look.opaque)
+          table.report("look", "`opaque` pieces keep their states, expected no `analytic` in `motion`");
+        if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())
+          table.report("name", fmt::format("a second emitter is named \"{}\", expected a name of its own",
+                                           emitter.name));
+        effect.emitters.push_back(std::move(emitter));
+      },
+      Need::kRequired);
+  top.table("bounds", [&](TableReader& table) { read_bounds(table, effect); });
+}
+
 }  // namespace
 
 Effect read_effect_text(std::string_view text, const std::string& file) {
   Effect effect;
   effect.id = preset_id(file);
-  const std::filesystem::path fields = std::filesystem::path(file).parent_path().parent_path() / "fields";
-  read_document(text, file, [&](TableReader& top) {
-    top.text("name", effect.name, Need::kRequired);
-    top.text("description", effect.description);
-    top.choice("off_screen", effect.off_screen, kOffScreen);
-    top.tables("layer", kMaxEmitters, [&](TableReader& table) {
-      Layer layer;
-      table.text("name", layer.name, Need::kRequired);
-      table.number("camera_offset_m", layer.camera_offset_m, kCameraOffset, Need::kRequired);
-      if (std::ranges::find(effect.layers, layer.name, &Layer::name) != effect.layers.end())
-        table.report("name",
-                     fmt::format("a second layer is named \"{}\", expected a name of its own", layer.name));
-      effect.layers.push_back(std::move(layer));
-    });
-    top.tables(
-        "emitter", kMaxEmitters,
-        [&](TableReader& table) {
-          Emitter emitter;
-          table.text("name", emitter.name, Need::kRequired);
-          const bool is_child = table.table(
-              "parent", [&](TableReader& parent) { emitter.parent = read_parent(parent, effect.emitters); });
-          table.table(
-              "spawn",
-              [&](TableReader& spawn) {
-                is_child ? read_spawn_of_child(spawn, effect.emitters, emitter)
-                         : read_spawn(spawn, emitter.spawn);
-              },
-              Need::kRequired);
-          table.table("shape", [&](TableReader& shape) { read_shape(shape, emitter.shape); });
-          table.table("motion", [&](TableReader& motion) {
-            read_motion(motion, fields, emitter.motion);
-            if (is_child && emitter.motion.analytic)
-              motion.report("analytic",
-                            "`analytic` of a child, whose place follows from its parent's steps: "
-                            "expected an emitter without `parent`");
-          });
-          table.table(
-              "look", [&](TableReader& look) { read_look(look, effect.layers, is_child, emitter.look); },
-              Need::kRequired);
-          if (emitter.motion.analytic && emitter.look.opaque)
-            table.report("look", "`opaque` pieces keep their states, expected no `analytic` in `motion`");
-          if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())
-            table.report("name", fmt::format("a second emitter is named \"{}\", expected a name of its own",
-                                             emitter.name));
-          effect.emitters.push_back(std::move(emitter));
-        },
-        Need::kRequired);
-    top.table("bounds", [&](TableReader& table) { read_bounds(table, effect); });
-  });
+  read_document(text, file, [&](TableReader& top) { read_top(top, effect); });
   return effect;
+}
+
+std::vector<Field> effect_fields(std::string_view text, const std::string& file) {
+  std::vector<Field> fields;
+  Effect unused;
+  try {
+    read_document(
+        text, file, [&](TableReader& top) { read_top(top, unused); }, &fields);
+  } catch (const FileErrors&) {
+    // Whatever is wrong is reported when the effect is read.
+  }
+  return fields;
 }
 
 std::vector<MeshName> mesh_names(const Effect& effect) {

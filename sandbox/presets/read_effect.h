@@ -9,6 +9,7 @@
 
 #include "sandbox/effects/effect.h"
 #include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/field.h"
 
 namespace plume {
 
@@ -22,6 +23,10 @@ constexpr uint64_t kMaxAlive = 4'000'000;
 Effect read_effect(const std::filesystem::path& path);
 /// The same from text; `file` names it in messages and gives the id.
 Effect read_effect_text(std::string_view text, const std::string& file);
+
+/// What the file says and could say: everything that its reader asks for, in that order. It has what could
+/// be read where the text has mistakes, and nothing where it is no TOML.
+std::vector<Field> effect_fields(std::string_view text, const std::string& file);
 
 /// Every mesh that an emitter names, in the order of the file.
 std::vector<MeshName> mesh_names(const Effect& effect);

@@ -24,30 +24,32 @@ constexpr Limits kDrift{-100, 100, "wavelengths a second"};
 
 void read_attractor(TableReader& table, Attractor& out) {
   const bool line = table.has("from") || table.has("to");
-  if (line) {
-    const bool both = table.vector("from", out.from_m, kPlace, Need::kRequired) &
-                      table.vector("to", out.to_m, kPlace, Need::kRequired);
-    if (both && out.from_m == out.to_m)
-      table.report("to", "`to` is the same as `from`, expected another point, or `position` alone");
-    if (table.has("position")) {
-      table.vector("position", out.from_m, kPlace);
+  const Need ends = line ? Need::kRequired : Need::kOptional;
+  if (table.vector("position", out.from_m, kPlace)) {
+    out.to_m = out.from_m;
+    if (line)
       table.report("position",
                    "`position` beside `from` and `to`, expected one point or the two ends of a line");
-    }
-  } else if (table.vector("position", out.from_m, kPlace)) {
-    out.to_m = out.from_m;
   }
+  const bool from = table.vector("from", out.from_m, kPlace, ends);
+  const bool to = table.vector("to", out.to_m, kPlace, ends);
+  if (from && to && out.from_m == out.to_m)
+    table.report("to", "`to` is the same as `from`, expected another point, or `position` alone");
+  table.rivals("position", "from");
+  table.rivals("position", "to");
   table.number("strength", out.strength, kAcceleration, Need::kRequired);
   table.number("radius_m", out.radius_m, {0.01, 1000, "m"});
 }
 
 void read_field_use(TableReader& table, const std::filesystem::path& fields, float drag, VectorField& out) {
-  if (table.text("file", out.id, Need::kRequired)) {
-    std::vector<std::string> known;
-    std::error_code absent;  // a folder that is not there holds nothing
-    for (const auto& entry : std::filesystem::directory_iterator(fields, absent))
-      if (entry.path().extension() == ".fga") known.push_back(entry.path().stem().string());
-    std::ranges::sort(known);
+  const bool named = table.text("file", out.id, Need::kRequired);
+  std::vector<std::string> known;
+  std::error_code absent;  // a folder that is not there holds nothing
+  for (const auto& entry : std::filesystem::directory_iterator(fields, absent))
+    if (entry.path().extension() == ".fga") known.push_back(entry.path().stem().string());
+  std::ranges::sort(known);
+  table.offer("file", known, "field");
+  if (named) {
     if (!std::ranges::binary_search(known, out.id)) {
       table.report("file",
                    fmt::format("unknown vector field \"{}\" in {}, {}", out.id, fields.string(),
@@ -60,8 +62,8 @@ void read_field_use(TableReader& table, const std::filesystem::path& fields, flo
       }
     }
   }
-  const bool known = table.choice("as", out.use, kFieldUses, Need::kRequired);
-  if (known && out.use == VectorField::Use::kVelocity && drag == 0.0f)
+  const bool chosen = table.choice("as", out.use, kFieldUses, Need::kRequired);
+  if (chosen && out.use == VectorField::Use::kVelocity && drag == 0.0f)
     table.report("as", "a field of velocities without `drag`, expected `drag` above 0: it pulls to them");
   table.number("strength", out.strength, {-1000, 1000});
   table.number("scale", out.scale, {0.001, 1000, "m per unit of the file"});

@@ -27,6 +27,9 @@ uint32_t generation_of(const std::vector<Emitter>& emitters, const Emitter& emit
 std::optional<Parent> read_parent(TableReader& table, const std::vector<Emitter>& earlier) {
   Parent out;
   const bool named = table.text("emitter", out.emitter, Need::kRequired);
+  std::vector<std::string> names;
+  for (const Emitter& emitter : earlier) names.push_back(emitter.name);
+  table.offer("emitter", names, "emitter.name");
   const bool known = table.choice("on", out.event, kEvents, Need::kRequired);
   const auto on = [&](BirthEvent event) { return !known || out.event == event; };
   if (!known || out.event != BirthEvent::kLife) table.integer("count", out.count, kChildren);
@@ -42,8 +45,6 @@ std::optional<Parent> read_parent(TableReader& table, const std::vector<Emitter>
 
   const auto parent = std::ranges::find(earlier, out.emitter, &Emitter::name);
   if (parent == earlier.end()) {
-    std::vector<std::string> names;
-    for (const Emitter& emitter : earlier) names.push_back(emitter.name);
     table.report("emitter", names.empty()
                                 ? fmt::format("there is no emitter before this one, expected \"{}\" "
                                               "to stand earlier in the file",

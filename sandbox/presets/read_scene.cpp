@@ -97,6 +97,7 @@ Pane read_pane(TableReader& table) {
 Instance read_instance(TableReader& table, const std::string& file) {
   Instance instance;
   table.text("effect", instance.effect, Need::kRequired);
+  table.offer("effect", {}, "effect");
   const toml::source_position at = table.position("effect");
   instance.effect_at = {file, at.line, at.column};
   instance.name = instance.effect;
@@ -173,46 +174,64 @@ std::vector<CameraKey> read_camera(TableReader& top, bool required) {
   return keys;
 }
 
+namespace {
+
+void read_top(TableReader& top, Scene& scene) {
+  top.text("name", scene.name, Need::kRequired);
+  top.text("description", scene.description);
+  top.integer("seed", scene.seed, kSeed);
+  top.integer("duration_ticks", scene.duration_ticks, {1, kTick.max, kTick.unit});
+  top.integer("default_tick", scene.default_tick, kTick);
+  if (scene.default_tick > scene.duration_ticks)
+    top.report("default_tick", fmt::format("`default_tick` is {}, expected at most `duration_ticks`, {}",
+                                           scene.default_tick, scene.duration_ticks));
+  top.number("near_m", scene.near_m, {0.001, 100, "m"});
+  top.number("far_m", scene.far_m, {0.1, 100'000, "m"});
+  if (scene.near_m >= scene.far_m)
+    top.report(top.has("near_m") ? "near_m" : "far_m",
+               fmt::format("`near_m` is {} and `far_m` is {}, expected `near_m` below `far_m`", scene.near_m,
+                           scene.far_m));
+  top.number("exposure", scene.exposure, {0.001, 1000});
+  top.choice("tonemap", scene.tonemap, kTonemaps);
+  top.vector("wind", scene.wind, {-100, 100, "m/s"});
+  top.table("light", [&](TableReader& light) { read_light(light, scene.light); });
+  top.table("depth_of_field", [&](TableReader& lens) {
+    DepthOfField& out = scene.depth_of_field.emplace();
+    lens.number("focus_m", out.focus_m, {0.01, 10'000, "m"}, Need::kRequired);
+    lens.number("aperture_mm", out.aperture_mm, {0.1, 1000, "mm"}, Need::kRequired);
+  });
+  scene.camera = read_camera(top, true);
+  top.tables("solid", kMaxSolids, [&](TableReader& table) { read_solid(table, scene.solids); });
+  top.tables("pane", kMaxPanes, [&](TableReader& table) { scene.panes.push_back(read_pane(table)); });
+  top.tables("instance", kMaxInstances, [&](TableReader& table) {
+    Instance instance = read_instance(table, top.file());
+    if (std::ranges::find(scene.instances, instance.name, &Instance::name) != scene.instances.end())
+      table.report("name",
+                   fmt::format("a second instance is named \"{}\", expected `name` to tell them apart",
+                               instance.name));
+    scene.instances.push_back(std::move(instance));
+  });
+}
+
+}  // namespace
+
 Scene read_scene_text(std::string_view text, const std::string& file) {
   Scene scene;
   scene.id = preset_id(file);
-  read_document(text, file, [&](TableReader& top) {
-    top.text("name", scene.name, Need::kRequired);
-    top.text("description", scene.description);
-    top.integer("seed", scene.seed, kSeed);
-    top.integer("duration_ticks", scene.duration_ticks, {1, kTick.max, kTick.unit});
-    top.integer("default_tick", scene.default_tick, kTick);
-    if (scene.default_tick > scene.duration_ticks)
-      top.report("default_tick", fmt::format("`default_tick` is {}, expected at most `duration_ticks`, {}",
-                                             scene.default_tick, scene.duration_ticks));
-    top.number("near_m", scene.near_m, {0.001, 100, "m"});
-    top.number("far_m", scene.far_m, {0.1, 100'000, "m"});
-    if (scene.near_m >= scene.far_m)
-      top.report(top.has("near_m") ? "near_m" : "far_m",
-                 fmt::format("`near_m` is {} and `far_m` is {}, expected `near_m` below `far_m`",
-                             scene.near_m, scene.far_m));
-    top.number("exposure", scene.exposure, {0.001, 1000});
-    top.choice("tonemap", scene.tonemap, kTonemaps);
-    top.vector("wind", scene.wind, {-100, 100, "m/s"});
-    top.table("light", [&](TableReader& light) { read_light(light, scene.light); });
-    top.table("depth_of_field", [&](TableReader& lens) {
-      DepthOfField& out = scene.depth_of_field.emplace();
-      lens.number("focus_m", out.focus_m, {0.01, 10'000, "m"}, Need::kRequired);
-      lens.number("aperture_mm", out.aperture_mm, {0.1, 1000, "mm"}, Need::kRequired);
-    });
-    scene.camera = read_camera(top, true);
-    top.tables("solid", kMaxSolids, [&](TableReader& table) { read_solid(table, scene.solids); });
-    top.tables("pane", kMaxPanes, [&](TableReader& table) { scene.panes.push_back(read_pane(table)); });
-    top.tables("instance", kMaxInstances, [&](TableReader& table) {
-      Instance instance = read_instance(table, file);
-      if (std::ranges::find(scene.instances, instance.name, &Instance::name) != scene.instances.end())
-        table.report("name",
-                     fmt::format("a second instance is named \"{}\", expected `name` to tell them apart",
-                                 instance.name));
-      scene.instances.push_back(std::move(instance));
-    });
-  });
+  read_document(text, file, [&](TableReader& top) { read_top(top, scene); });
   return scene;
+}
+
+std::vector<Field> scene_fields(std::string_view text, const std::string& file) {
+  std::vector<Field> fields;
+  Scene unused;
+  try {
+    read_document(
+        text, file, [&](TableReader& top) { read_top(top, unused); }, &fields);
+  } catch (const FileErrors&) {
+    // Whatever is wrong is reported when the scene is read.
+  }
+  return fields;
 }
 
 Scene read_scene(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/field.h"
 #include "sandbox/scene/scene.h"
 
 namespace plume {
@@ -21,6 +22,9 @@ class TableReader;
 Scene read_scene(const std::filesystem::path& path);
 /// The same from text; `file` names it in messages and gives the id.
 Scene read_scene_text(std::string_view text, const std::string& file);
+
+/// What the file says and could say, as effect_fields().
+std::vector<Field> scene_fields(std::string_view text, const std::string& file);
 
 /// A diagnostic for each instance whose effect the library does not have.
 std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library);

@@ -11,6 +11,7 @@
 
 #include "renderer/parameters.h"
 #include "sandbox/presets/toml_guard.h"
+#include "sandbox/presets/value_path.h"
 
 namespace plume {
 namespace {
@@ -66,9 +67,92 @@ toml::source_position start_of(const toml::node& node) {
 
 }  // namespace
 
-TableReader::TableReader(const toml::table& table, std::string name, std::string file,
-                         std::vector<Diagnostic>& found)
-    : table_(table), name_(std::move(name)), file_(std::move(file)), found_(found) {}
+/// Notes a field now and, when its reading is over, what was read: `value()`.
+template <class Value>
+class TableReader::Note {
+ public:
+  Note(TableReader& reader, std::string_view key, Value value, Field field)
+      : reader_(reader), value_(std::move(value)), mistakes_(reader.mistakes()), present_(reader.has(key)) {
+    if (!reader.fields_) return;
+    index_ = reader.fields_->size();
+    field.path = reader.path_of(key);
+    field.fallback = field.value = value_();
+    field.in_absent_table = reader.absent_;
+    reader.fields_->push_back(std::move(field));
+  }
+  ~Note() {
+    if (!reader_.fields_ || !present_) return;
+    Field& field = (*reader_.fields_)[index_];
+    field.value = value_();
+    field.state = reader_.mistakes() > mistakes_ ? Field::State::kWrong : Field::State::kRead;
+  }
+  Note(const Note&) = delete;
+  Note& operator=(const Note&) = delete;
+
+ private:
+  TableReader& reader_;
+  Value value_;
+  size_t mistakes_, index_ = 0;
+  bool present_;
+};
+
+namespace {
+
+/// What a reader's caller holds, as a field has it.
+template <class Value>
+auto as_field(const Value& value) {
+  return [&value]() -> FieldValue {
+    if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, uint32_t>)
+      return static_cast<int64_t>(value);
+    else
+      return value;
+  };
+}
+
+}  // namespace
+
+TableReader::TableReader(const toml::table& table, std::string file, std::vector<Diagnostic>& found,
+                         std::vector<Field>* fields)
+    : table_(table), file_(std::move(file)), found_(found), fields_(fields) {}
+
+TableReader::TableReader(const TableReader& outer, const toml::table& table, std::string name,
+                         std::string path, std::vector<Diagnostic>& found)
+    : table_(table),
+      name_(std::move(name)),
+      path_(std::move(path)),
+      file_(outer.file_),
+      found_(found),
+      fields_(outer.fields_),
+      absent_(outer.absent_) {}
+
+std::string TableReader::path_of(std::string_view key) const {
+  return path_.empty() ? written_key(key) : path_ + "." + written_key(key);
+}
+
+Field* TableReader::noted(std::string_view key) {
+  if (!fields_) return nullptr;
+  const auto field = std::ranges::find(*fields_, path_of(key), &Field::path);
+  return field == fields_->end() ? nullptr : &*field;
+}
+
+void TableReader::offer(std::string_view key, std::vector<std::string> names, std::string_view what) {
+  if (Field* field = noted(key)) field->options = std::move(names), field->names = what;
+}
+
+void TableReader::rivals(std::string_view key, std::string_view other) {
+  Field *first = noted(key), *second = noted(other);
+  if (!first || !second) return;
+  first->rivals.push_back(second->path);
+  second->rivals.push_back(first->path);
+}
+
+void TableReader::exactly_one(std::string_view key, std::string_view other) {
+  rivals(key, other);
+  if (has(key) != has(other)) return;
+  if (Field* field = noted(other); field && !has(key)) field->required = true;
+  report(other, fmt::format("{} of `{}` and `{}` given, expected exactly one of them",
+                            has(key) ? "both" : "neither", key, other));
+}
 
 void TableReader::report(toml::source_position position, std::string message) {
   found_.push_back({file_, std::max(1u, position.line), std::max(1u, position.column), std::move(message)});
@@ -139,18 +223,22 @@ bool TableReader::read_numbers(std::string_view key, const toml::node& node, Lim
 }
 
 bool TableReader::number(std::string_view key, double& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   const toml::node* node = find(key, need, number_text(limits, false));
   return node && read_number(key, *node, limits, false, value);
 }
 
 bool TableReader::number(std::string_view key, float& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
+  const toml::node* node = find(key, need, number_text(limits, false));
   double wide = 0;
-  const bool read = number(key, wide, limits, need);
+  const bool read = node && read_number(key, *node, limits, false, wide);
   if (read) value = static_cast<float>(wide);
   return read;
 }
 
 bool TableReader::integer(std::string_view key, int& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   const toml::node* node = find(key, need, number_text(limits, true));
   double wide = 0;
   const bool read = node && read_number(key, *node, limits, true, wide);
@@ -159,6 +247,7 @@ bool TableReader::integer(std::string_view key, int& value, Limits limits, Need 
 }
 
 bool TableReader::integer(std::string_view key, uint32_t& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   const toml::node* node = find(key, need, number_text(limits, true));
   double wide = 0;
   const bool read = node && read_number(key, *node, limits, true, wide);
@@ -167,6 +256,7 @@ bool TableReader::integer(std::string_view key, uint32_t& value, Limits limits, 
 }
 
 bool TableReader::toggle(std::string_view key, bool& value) {
+  const Note note(*this, key, as_field(value), {});
   const toml::node* node = find(key, Need::kOptional, "");
   if (!node) return false;
   const auto* toggle = node->as_boolean();
@@ -176,6 +266,7 @@ bool TableReader::toggle(std::string_view key, bool& value) {
 }
 
 bool TableReader::text(std::string_view key, std::string& value, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired});
   const std::string expected = need == Need::kRequired ? "a non-empty text in quotes" : "a text in quotes";
   const toml::node* node = find(key, need, expected);
   if (!node) return false;
@@ -186,6 +277,8 @@ bool TableReader::text(std::string_view key, std::string& value, Need need) {
 }
 
 bool TableReader::texts(std::string_view key, std::vector<std::string>& value, size_t most, Need need) {
+  const Note note(*this, key, as_field(value),
+                  {.required = need == Need::kRequired, .at_least = 1, .at_most = most});
   const std::string expected = most == 1
                                    ? "a non-empty text in quotes"
                                    : fmt::format("a non-empty text in quotes, or a list of 1 to {}", most);
@@ -208,6 +301,9 @@ bool TableReader::texts(std::string_view key, std::vector<std::string>& value, s
 
 bool TableReader::choice(std::string_view key, uint32_t& value, std::span<const std::string_view> names,
                          Need need) {
+  const auto name_of = [&]() -> FieldValue { return std::string(names[value]); };
+  const Note note(*this, key, name_of,
+                  {.required = need == Need::kRequired, .options = {names.begin(), names.end()}});
   const std::string expected = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
   const toml::node* node = find(key, need, expected);
   if (!node) return false;
@@ -224,6 +320,7 @@ bool TableReader::choice(std::string_view key, uint32_t& value, std::span<const 
 }
 
 bool TableReader::vector(std::string_view key, glm::vec2& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   const toml::node* node = find(key, need, list_text(2, limits, false));
   std::array<double, 2> v{};
   const bool read = node && read_numbers(key, *node, limits, false, v);
@@ -232,6 +329,7 @@ bool TableReader::vector(std::string_view key, glm::vec2& value, Limits limits, 
 }
 
 bool TableReader::vector(std::string_view key, glm::vec3& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   const toml::node* node = find(key, need, list_text(3, limits, false));
   std::array<double, 3> v{};
   const bool read = node && read_numbers(key, *node, limits, false, v);
@@ -240,6 +338,7 @@ bool TableReader::vector(std::string_view key, glm::vec3& value, Limits limits, 
 }
 
 bool TableReader::size(std::string_view key, glm::uvec2& value, Limits limits) {
+  const Note note(*this, key, as_field(value), {.limits = limits});
   const toml::node* node = find(key, Need::kOptional, "");
   std::array<double, 2> v{};
   const bool read = node && read_numbers(key, *node, limits, true, v);
@@ -271,6 +370,7 @@ bool TableReader::read_range(std::string_view key, Limits limits, bool whole, Ne
 }
 
 bool TableReader::range(std::string_view key, Range<float>& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   double min = 0, max = 0;
   const bool read = read_range(key, limits, false, need, min, max);
   if (read) value = {static_cast<float>(min), static_cast<float>(max)};
@@ -278,6 +378,7 @@ bool TableReader::range(std::string_view key, Range<float>& value, Limits limits
 }
 
 bool TableReader::range(std::string_view key, Range<uint32_t>& value, Limits limits, Need need) {
+  const Note note(*this, key, as_field(value), {.required = need == Need::kRequired, .limits = limits});
   double min = 0, max = 0;
   const bool read = read_range(key, limits, true, need, min, max);
   if (read) value = {static_cast<uint32_t>(min), static_cast<uint32_t>(max)};
@@ -293,6 +394,7 @@ bool TableReader::ascends(const Column& column, const toml::node& node, double b
 
 bool TableReader::pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
                         std::vector<std::array<double, 2>>& value) {
+  const Note note(*this, key, as_field(value), {.columns = {first, second}, .at_least = at_least});
   const std::string expected =
       fmt::format("a list of at least {} [{}, {}]", at_least, first.name, second.name);
   const toml::node* node = find(key, Need::kOptional, "");
@@ -321,7 +423,14 @@ bool TableReader::pairs(std::string_view key, const Column& first, const Column&
 }
 
 bool TableReader::points(std::string_view key, const Column& first, const Column& second, Length length,
-                         std::vector<std::pair<double, glm::vec3>>& value) {
+                         Points& value) {
+  const Note note(*this, key, as_field(value),
+                  {.columns = {first, second}, .at_least = length.at_least, .at_most = length.at_most});
+  return read_points(key, first, second, length, value);
+}
+
+bool TableReader::read_points(std::string_view key, const Column& first, const Column& second, Length length,
+                              Points& value) {
   const std::string row_text = fmt::format("[{}, {}]", first.name, second.name);
   const std::string expected =
       length.at_most == SIZE_MAX
@@ -332,7 +441,7 @@ bool TableReader::points(std::string_view key, const Column& first, const Column
   const toml::array* array = node->as_array();
   if (!array || array->size() < length.at_least || array->size() > length.at_most)
     return wrong(key, *node, expected), false;
-  std::vector<std::pair<double, glm::vec3>> rows;
+  Points rows;
   bool read = true;
   for (const toml::node& item : *array) {
     const toml::array* row = item.as_array();
@@ -354,6 +463,7 @@ bool TableReader::points(std::string_view key, const Column& first, const Column
 }
 
 bool TableReader::curve(std::string_view key, Curve& value, Limits limits) {
+  const Note note(*this, key, as_field(value), {.limits = limits});
   const toml::node* node = find(key, Need::kOptional, "");
   if (!node) return false;
   const toml::array* array = node->as_array();
@@ -367,7 +477,6 @@ bool TableReader::curve(std::string_view key, Curve& value, Limits limits) {
   }
   if (array->empty()) return wrong(key, *node, "a list of at least 1 [at, value]"), false;
   const Column at{"at", {0, 1}};
-  const Limits slope{-1e6, 1e6, "a life"};
   std::vector<Curve::Key> keys;
   bool read = true;
   for (const toml::node& item : *array) {
@@ -380,7 +489,7 @@ bool TableReader::curve(std::string_view key, Curve& value, Limits limits) {
     std::array<double, 4> v{};
     const bool has_at = read_number("at", (*row)[0], at.limits, false, v[0]);
     read &= read_number("value", (*row)[1], limits, false, v[1]) && has_at;
-    for (size_t i = 2; i < row->size(); ++i) read &= read_number("slope", (*row)[i], slope, false, v[i]);
+    for (size_t i = 2; i < row->size(); ++i) read &= read_number("slope", (*row)[i], kSlope, false, v[i]);
     if (!has_at) continue;
     if (!keys.empty()) read &= ascends(at, (*row)[0], keys.back().at, v[0]);
     Curve::Key& next = keys.emplace_back(Curve::Key{static_cast<float>(v[0]), static_cast<float>(v[1])});
@@ -404,6 +513,7 @@ bool TableReader::curve(std::string_view key, Curve& value, Limits limits) {
 }
 
 bool TableReader::gradient(std::string_view key, Gradient& value, Limits limits) {
+  const Note note(*this, key, as_field(value), {.limits = limits});
   const toml::node* node = find(key, Need::kOptional, "");
   if (!node) return false;
   const toml::array* array = node->as_array();
@@ -415,8 +525,8 @@ bool TableReader::gradient(std::string_view key, Gradient& value, Limits limits)
     value = Gradient(glm::vec3(rgb[0], rgb[1], rgb[2]));
     return true;
   }
-  std::vector<std::pair<double, glm::vec3>> rows;
-  if (!points(key, {"at", {0, 1}}, {"[r, g, b]", limits}, {.at_least = 1}, rows)) return false;
+  Points rows;
+  if (!read_points(key, {"at", {0, 1}}, {"[r, g, b]", limits}, {.at_least = 1}, rows)) return false;
   value.keys.clear();
   for (const auto& [at, color] : rows) value.keys.push_back({static_cast<float>(at), color});
   return true;
@@ -424,6 +534,7 @@ bool TableReader::gradient(std::string_view key, Gradient& value, Limits limits)
 
 bool TableReader::ascending(std::string_view key, std::vector<uint32_t>& value, Limits limits,
                             size_t at_least) {
+  const Note note(*this, key, as_field(value), {.limits = limits, .at_least = at_least});
   const toml::node* node = find(key, Need::kOptional, "");
   if (!node) return false;
   const toml::array* array = node->as_array();
@@ -449,40 +560,60 @@ bool TableReader::ascending(std::string_view key, std::vector<uint32_t>& value, 
   return read;
 }
 
+void TableReader::read_inside(const toml::table& table, std::string name, std::string path,
+                              const Read& read) {
+  TableReader inner(*this, table, std::move(name), std::move(path), found_);
+  read(inner);
+  inner.reject_unknown_keys();
+}
+
+void TableReader::imagine_inside(std::string path, const Read& read) {
+  const toml::table empty;
+  std::vector<Diagnostic> unheard;
+  TableReader inner(*this, empty, "", std::move(path), unheard);
+  inner.absent_ = true;
+  read(inner);
+}
+
 bool TableReader::table(std::string_view key, const Read& read, Need need) {
+  const auto group = [] { return FieldValue(Group()); };
+  const Note note(*this, key, group, {.required = need == Need::kRequired});
   const toml::node* node = find(key, need, fmt::format("a table [{}]", key));
+  if (!node && fields_) imagine_inside(path_of(key), read);
   if (!node) return false;
   const toml::table* table = node->as_table();
   if (!table) return wrong(key, *node, fmt::format("a table [{}]", key)), false;
-  TableReader inner(*table, fmt::format("[{}]", key), file_, found_);
-  read(inner);
-  inner.reject_unknown_keys();
+  read_inside(*table, fmt::format("[{}]", key), path_of(key), read);
   return true;
 }
 
 void TableReader::tables(std::string_view key, size_t at_most, const Read& read, Need need) {
+  size_t count = 0;
+  const auto groups = [&] { return FieldValue(Groups{count}); };
+  const size_t at_least = need == Need::kRequired ? 1 : 0;
+  const Note note(*this, key, groups, {.required = at_least > 0, .at_least = at_least, .at_most = at_most});
+  const auto path_of_one = [&] { return fmt::format("{}[{}]", path_of(key), count); };
   const std::string expected =
-      fmt::format("{} {} tables [[{}]]", need == Need::kRequired ? "1 to" : "at most", at_most, key);
-  if (is_table(key)) {
-    table(key, read);
-    return;
-  }
+      fmt::format("{} {} tables [[{}]]", at_least > 0 ? "1 to" : "at most", at_most, key);
   const toml::node* node = find(key, need, expected);
   if (!node) return;
+  if (const toml::table* single = node->as_table()) {
+    read_inside(*single, fmt::format("[{}]", key), path_of_one(), read);
+    count = 1;
+    return;
+  }
   const toml::array* array = node->as_array();
-  if (!array || array->size() > at_most || (array->empty() && need == Need::kRequired)) {
+  if (!array || array->size() > at_most || array->size() < at_least) {
     wrong(key, *node, expected);
     return;
   }
   for (const toml::node& item : *array) {
     const toml::table* table = item.as_table();
-    if (!table) {
+    if (table)
+      read_inside(*table, fmt::format("[[{}]]", key), path_of_one(), read);
+    else
       wrong(key, item, fmt::format("a table [[{}]]", key));
-      continue;
-    }
-    TableReader inner(*table, fmt::format("[[{}]]", key), file_, found_);
-    read(inner);
-    inner.reject_unknown_keys();
+    ++count;
   }
 }
 
@@ -528,7 +659,8 @@ std::string load_text(const std::filesystem::path& path) {
   return text;
 }
 
-void read_document(std::string_view text, const std::string& file, const TableReader::Read& read) {
+void read_document(std::string_view text, const std::string& file, const TableReader::Read& read,
+                   std::vector<Field>* fields) {
   std::vector<Diagnostic> found;
   const auto fail = [&](uint32_t line, uint32_t column, std::string message) {
     throw FileErrors({{file, std::max(1u, line), std::max(1u, column), std::move(message)}});
@@ -546,7 +678,7 @@ void read_document(std::string_view text, const std::string& file, const TableRe
         error.source().begin.line, error.source().begin.column,
         fmt::format("not TOML: {}, expected a valid TOML 1.0 document", printable(error.description(), 200)));
   }
-  TableReader top(document, "", file, found);
+  TableReader top(document, file, found, fields);
   read(top);
   top.reject_unknown_keys();
   if (found.empty()) return;

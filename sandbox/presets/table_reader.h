@@ -1,6 +1,7 @@
 // Reads typed values out of a TOML document. A mistake is recorded and reading goes on, so one pass finds
 // them all; every message says what would be right. A key that nobody asked for is a mistake, so nothing a
-// user writes is ignored.
+// user writes is ignored. What is asked for can be noted in a list of fields, for editors; tables that are
+// absent are then read as empty ones besides, so that the list has what could stand in them.
 #ifndef PLUME_PRESETS_TABLE_READER_H
 #define PLUME_PRESETS_TABLE_READER_H
 
@@ -28,28 +29,9 @@
 
 #include "sandbox/effects/effect.h"
 #include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/field.h"
 
 namespace plume {
-
-/// Inclusive limits of a number and its unit ("" where it has none).
-struct Limits {
-  double min, max;
-  std::string_view unit = "";
-};
-
-constexpr Limits kTick{0, kMaxTick, "ticks"};
-/// Of what artists order by hand.
-constexpr Limits kDrawOrder{-1000, 1000};
-constexpr Limits kCameraOffset{-100, 100, "m"};
-
-enum class Need { kOptional, kRequired };
-
-/// One column of a list of pairs, such as the tick and the count of a burst.
-struct Column {
-  std::string_view name;
-  Limits limits;
-  bool whole = false;  ///< integers only
-};
 
 /// One key of a table whose keys are not known in advance, its value as text.
 struct Setting {
@@ -61,7 +43,9 @@ struct Setting {
 /// returns whether it was read. Readers of sub-tables exist only inside the callback that receives them.
 class TableReader {
  public:
-  TableReader(const toml::table& table, std::string name, std::string file, std::vector<Diagnostic>& found);
+  /// The top table of a file.
+  TableReader(const toml::table& table, std::string file, std::vector<Diagnostic>& found,
+              std::vector<Field>* fields = nullptr);
 
   bool has(std::string_view key) const { return table_.contains(key); }
   std::vector<std::string> keys() const;
@@ -100,21 +84,26 @@ class TableReader {
   /// Integers that ascend strictly.
   bool ascending(std::string_view key, std::vector<uint32_t>& value, Limits limits, size_t at_least = 0);
   /// [[first, second], …] where the first column ascends strictly.
-  bool pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
-             std::vector<std::array<double, 2>>& value);
+  bool pairs(std::string_view key, const Column& first, const Column& second, size_t at_least, Pairs& value);
   /// [[first, [x, y, z]], …] where the first column ascends strictly; the second column's name is `[x, y,
   /// z]`.
   struct Length {
     size_t at_least = 1, at_most = SIZE_MAX;
   };
-  bool points(std::string_view key, const Column& first, const Column& second, Length length,
-              std::vector<std::pair<double, glm::vec3>>& value);
+  bool points(std::string_view key, const Column& first, const Column& second, Length length, Points& value);
   using Read = std::function<void(TableReader&)>;
   bool table(std::string_view key, const Read& read, Need need = Need::kOptional);
   /// [[key]] tables; a single [key] counts as one. Calls `read` for each, in order.
   void tables(std::string_view key, size_t at_most, const Read& read, Need need = Need::kOptional);
   /// Every key not asked for so far; each must be a number, a bool or a string.
   std::vector<Setting> settings();
+
+  /// Notes that a text is one of `names`, and what it names (see Field::names).
+  void offer(std::string_view key, std::vector<std::string> names, std::string_view what);
+  /// Notes that these do not stand beside each other, which the caller reports in its own words.
+  void rivals(std::string_view key, std::string_view other);
+  /// Reports unless one of two keys is given, and not both.
+  void exactly_one(std::string_view key, std::string_view other);
 
   /// Records a mistake at the value of `key`, or at the table when it has no such key.
   void report(std::string_view key, std::string message);
@@ -124,20 +113,34 @@ class TableReader {
   const std::string& file() const { return file_; }
 
  private:
-  friend void read_document(std::string_view text, const std::string& file, const Read& read);
+  friend void read_document(std::string_view text, const std::string& file, const Read& read,
+                            std::vector<Field>* fields);
+  TableReader(const TableReader& outer, const toml::table& table, std::string name, std::string path,
+              std::vector<Diagnostic>& found);
+  void read_inside(const toml::table& table, std::string name, std::string path, const Read& read);
+  void imagine_inside(std::string path, const Read& read);
+  std::string path_of(std::string_view key) const;
+  Field* noted(std::string_view key);
+  template <class Value>
+  class Note;
   const toml::node* find(std::string_view key, Need need, const std::string& expected);
   void wrong(std::string_view key, const toml::node& node, const std::string& expected);
   bool read_number(std::string_view key, const toml::node& node, Limits limits, bool whole, double& value);
   bool read_numbers(std::string_view key, const toml::node& node, Limits limits, bool whole,
                     std::span<double> values);
   bool ascends(const Column& column, const toml::node& node, double before, double value);
+  bool read_points(std::string_view key, const Column& first, const Column& second, Length length,
+                   Points& value);
   bool read_range(std::string_view key, Limits limits, bool whole, Need need, double& min, double& max);
   void reject_unknown_keys();
 
   const toml::table& table_;
   std::string name_;  // for messages, "" for the file itself
+  std::string path_;  // "" for the file itself
   std::string file_;
   std::vector<Diagnostic>& found_;
+  std::vector<Field>* fields_;
+  bool absent_ = false;  // an empty table stands for one that is not there
   std::vector<std::string> known_;
 };
 
@@ -145,8 +148,10 @@ class TableReader {
 std::string load_text(const std::filesystem::path& path);
 
 /// Parses `text` and hands its top table to `read`; throws FileErrors with everything wrong, in the order of
-/// the file. A syntax error ends reading at once, because toml++ cannot go on after one.
-void read_document(std::string_view text, const std::string& file, const TableReader::Read& read);
+/// the file. A syntax error ends reading at once, because toml++ cannot go on after one. With `fields`, what
+/// is asked for is noted there, and `read` is called for absent tables too: what it makes is no good then.
+void read_document(std::string_view text, const std::string& file, const TableReader::Read& read,
+                   std::vector<Field>* fields = nullptr);
 
 /// The id of the preset in a file: its name without folder and extension.
 std::string preset_id(const std::string& file);

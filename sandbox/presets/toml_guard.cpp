@@ -8,8 +8,12 @@ namespace {
 constexpr uint32_t kMaxDotsInLine = 512;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// The length of the comment or quoted text that starts at the front of `text`; 0 when there is none. A text
-/// that is not closed ends with its line, or with the file when it may span lines: the parser reports it.
+bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+}  // namespace
+
 size_t opaque_length(std::string_view text) {
   if (text.front() == '#') return std::min(text.find('\n'), text.size());
   if (text.front() != '"' && text.front() != '\'') return 0;
@@ -30,12 +34,6 @@ size_t opaque_length(std::string_view text) {
   }
   return text.size();
 }
-
-bool continues_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
-}  // namespace
 
 std::optional<Refusal> refuse_toml(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());

@@ -21,5 +21,9 @@ struct Refusal {
 /// - more than 512 dots in a line: each dot of a key nests a table, and toml++ frees tables recursively.
 std::optional<Refusal> refuse_toml(std::string_view text);
 
+/// The length of the comment or quoted text that starts at the front of `text`; 0 when there is none. A text
+/// that is not closed ends with its line, or with the file when it may span lines: the parser reports it.
+size_t opaque_length(std::string_view text);
+
 }  // namespace plume
 #endif
