@@ -1,12 +1,14 @@
 #include "sandbox/measure/file_bytes.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 namespace plume {
@@ -48,17 +50,39 @@ std::vector<uint8_t> read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
-void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+namespace {
+
+/// `mode`: permission bits of the new file, where they must be these whatever the process' mask is.
+void write_and_rename(const std::filesystem::path& path, std::span<const uint8_t> bytes,
+                      std::optional<mode_t> mode, bool sync) {
   const std::filesystem::path temporary = temporary_beside(path);
   const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) throw FileError(path, reason(errno));
   int error = write_all(file, bytes);
+  if (error == 0 && mode && ::fchmod(file, *mode) != 0) error = errno;
+  if (error == 0 && sync && ::fsync(file) != 0) error = errno;
   // A full disk or a network share may only tell at close.
   if (::close(file) != 0 && error == 0) error = errno;
   if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error == 0) return;
   ::unlink(temporary.c_str());
   throw FileError(path, reason(error));
+}
+
+}  // namespace
+
+void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+  write_and_rename(path, bytes, {}, false);
+}
+
+void replace_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+  std::error_code absent;
+  const std::filesystem::path target = std::filesystem::canonical(path, absent);
+  struct stat old {};
+  if (absent || ::stat(target.c_str(), &old) != 0) return write_and_rename(path, bytes, {}, true);
+  // Renaming would get around the bit that protects it.
+  if (::access(target.c_str(), W_OK) != 0) throw FileError(path, reason(errno));
+  write_and_rename(target, bytes, old.st_mode & 07777, true);
 }
 
 }  // namespace plume

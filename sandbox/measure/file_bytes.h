@@ -25,5 +25,10 @@ std::vector<uint8_t> read_file(const std::filesystem::path& path);
 /// The folder must exist.
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
 
+/// The same for a file that somebody works on: the new one has the permission bits of the old, is on the disk
+/// before the old one goes, and where `path` is a link, what it points to is replaced. A file that is
+/// protected against writing stays.
+void replace_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
+
 }  // namespace plume
 #endif

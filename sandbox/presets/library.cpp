@@ -11,6 +11,7 @@
 #include "sandbox/presets/read_mesh.h"
 #include "sandbox/presets/read_replay.h"
 #include "sandbox/presets/read_scene.h"
+#include "sandbox/presets/table_reader.h"
 
 namespace plume {
 namespace fs = std::filesystem;
@@ -51,7 +52,11 @@ fs::path PresetLibrary::find(PresetKind kind, std::string_view name) const {
 }
 
 Effect PresetLibrary::effect(std::string_view name) const {
-  Effect effect = read_effect(find(PresetKind::kEffect, name));
+  const fs::path path = find(PresetKind::kEffect, name);
+  return effect_text(load_text(path), path.string());
+}
+Effect PresetLibrary::effect_text(std::string_view text, const std::string& file) const {
+  Effect effect = read_effect_text(text, file);
   if (auto missing = check_references(effect, *this); !missing.empty()) throw FileErrors(std::move(missing));
   for (const MeshName& mesh_name : mesh_names(effect))
     if (std::ranges::find(effect.meshes, mesh_name.id, &Mesh::id) == effect.meshes.end())

@@ -37,6 +37,8 @@ class PresetLibrary {
 
   /// Find and read; throw PresetError or FileErrors.
   Effect effect(std::string_view name) const;  ///< with the meshes it names
+  /// The same from text; `file` names it in messages and gives the id.
+  Effect effect_text(std::string_view text, const std::string& file) const;
   Mesh mesh(std::string_view name) const;
   Scene scene(std::string_view name) const;
   Replay replay(std::string_view name) const;
