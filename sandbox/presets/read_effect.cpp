@@ -268,15 +268,8 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
 }
 
 std::vector<Field> effect_fields(std::string_view text, const std::string& file) {
-  std::vector<Field> fields;
   Effect unused;
-  try {
-    read_document(
-        text, file, [&](TableReader& top) { read_top(top, unused); }, &fields);
-  } catch (const FileErrors&) {
-    // Whatever is wrong is reported when the effect is read.
-  }
-  return fields;
+  return asked_fields(text, file, [&](TableReader& top) { read_top(top, unused); });
 }
 
 std::vector<MeshName> mesh_names(const Effect& effect) {

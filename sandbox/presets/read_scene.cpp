@@ -223,15 +223,8 @@ Scene read_scene_text(std::string_view text, const std::string& file) {
 }
 
 std::vector<Field> scene_fields(std::string_view text, const std::string& file) {
-  std::vector<Field> fields;
   Scene unused;
-  try {
-    read_document(
-        text, file, [&](TableReader& top) { read_top(top, unused); }, &fields);
-  } catch (const FileErrors&) {
-    // Whatever is wrong is reported when the scene is read.
-  }
-  return fields;
+  return asked_fields(text, file, [&](TableReader& top) { read_top(top, unused); });
 }
 
 Scene read_scene(const std::filesystem::path& path) {

@@ -659,8 +659,8 @@ std::string load_text(const std::filesystem::path& path) {
   return text;
 }
 
-void read_document(std::string_view text, const std::string& file, const TableReader::Read& read,
-                   std::vector<Field>* fields) {
+void read_noting(std::string_view text, const std::string& file, const TableReader::Read& read,
+                 std::vector<Field>* fields) {
   std::vector<Diagnostic> found;
   const auto fail = [&](uint32_t line, uint32_t column, std::string message) {
     throw FileErrors({{file, std::max(1u, line), std::max(1u, column), std::move(message)}});
@@ -684,6 +684,21 @@ void read_document(std::string_view text, const std::string& file, const TableRe
   if (found.empty()) return;
   std::ranges::stable_sort(found, {}, [](const Diagnostic& d) { return std::pair(d.line, d.column); });
   throw FileErrors(std::move(found));
+}
+
+void read_document(std::string_view text, const std::string& file, const TableReader::Read& read) {
+  read_noting(text, file, read, nullptr);
+}
+
+std::vector<Field> asked_fields(std::string_view text, const std::string& file,
+                                const TableReader::Read& read) {
+  std::vector<Field> fields;
+  try {
+    read_noting(text, file, read, &fields);
+  } catch (const FileErrors&) {
+    // Whatever is wrong is reported when the file is read for good.
+  }
+  return fields;
 }
 
 std::string preset_id(const std::string& file) {

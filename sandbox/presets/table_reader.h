@@ -113,8 +113,8 @@ class TableReader {
   const std::string& file() const { return file_; }
 
  private:
-  friend void read_document(std::string_view text, const std::string& file, const Read& read,
-                            std::vector<Field>* fields);
+  friend void read_noting(std::string_view text, const std::string& file, const Read& read,
+                          std::vector<Field>* fields);
   TableReader(const TableReader& outer, const toml::table& table, std::string name, std::string path,
               std::vector<Diagnostic>& found);
   void read_inside(const toml::table& table, std::string name, std::string path, const Read& read);
@@ -148,10 +148,14 @@ class TableReader {
 std::string load_text(const std::filesystem::path& path);
 
 /// Parses `text` and hands its top table to `read`; throws FileErrors with everything wrong, in the order of
-/// the file. A syntax error ends reading at once, because toml++ cannot go on after one. With `fields`, what
-/// is asked for is noted there, and `read` is called for absent tables too: what it makes is no good then.
-void read_document(std::string_view text, const std::string& file, const TableReader::Read& read,
-                   std::vector<Field>* fields = nullptr);
+/// the file. A syntax error ends reading at once, because toml++ cannot go on after one.
+void read_document(std::string_view text, const std::string& file, const TableReader::Read& read);
+
+/// All that `read` asks for, in that order: what the text says and what it could say. Tables that are absent
+/// are read too, as empty ones, so what `read` makes on the way is no good. Mistakes are passed over; where
+/// the text is no TOML there is nothing.
+std::vector<Field> asked_fields(std::string_view text, const std::string& file,
+                                const TableReader::Read& read);
 
 /// The id of the preset in a file: its name without folder and extension.
 std::string preset_id(const std::string& file);

@@ -80,13 +80,22 @@ look = { ribbon = true }
 [[emitter]]
 )";
 
-TEST(EffectFields, AllHaveATooltipAndNoTooltipIsLeftOver) {
+constexpr std::string_view kListedScene = R"(
+name = "x"
+[[camera]]
+[[solid]]
+[[pane]]
+[[instance]]
+)";
+
+TEST(Fields, AllHaveATooltipAndNoTooltipIsLeftOver) {
   std::set<std::string> patterns;
   const auto collect = [&](const std::vector<Field>& fields) {
     for (const Field& field : fields) patterns.insert(pattern_of(field.path));
   };
   collect(effect_fields(kListed, "effects/listed.toml"));
   for (const auto& [file, text] : shipped_effects()) collect(effect_fields(text, file));
+  collect(scene_fields(kListedScene, "scenes/listed.toml"));
   for (const std::string& pattern : patterns)
     EXPECT_TRUE(field_help(pattern)) << "no tooltip for " << pattern;
   for (const FieldHelp& help : all_field_help()) {
