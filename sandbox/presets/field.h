@@ -70,8 +70,9 @@ struct Field {
   State state = State::kAbsent;
   bool required = false;  ///< in its table
   bool in_absent_table = false;
-  Limits limits{};                   ///< of each number in `value`; of a curve's or a gradient's values
-  std::vector<Column> columns;       ///< of Pairs and Points, instead of `limits`
+  Limits limits{};              ///< of each number in `value`; of a curve's or a gradient's values
+  std::vector<Column> columns;  ///< of Pairs and Points, instead of `limits`; a field that has both takes a
+                                ///< number (double) as well as Pairs
   size_t at_least = 0, at_most = 0;  ///< entries in a list
   std::vector<std::string> options;  ///< of a text: it is one of these, if there are any
   std::string names;                 ///< of a text that names something: the pattern of the field that it
@@ -79,6 +80,14 @@ struct Field {
   std::vector<std::string> rivals;   ///< paths of fields that cannot stand beside it
 
   bool present() const { return state != State::kAbsent; }
+  /// Whether a value is of a type that the field takes.
+  bool takes(const FieldValue& other) const {
+    const auto is_either = [](const FieldValue& v) {
+      return std::holds_alternative<double>(v) || std::holds_alternative<Pairs>(v);
+    };
+    const bool both = limits.max > limits.min && !columns.empty();
+    return other.index() == value.index() || (both && is_either(other) && is_either(value));
+  }
 };
 
 }  // namespace plume

@@ -61,8 +61,8 @@ bool is_constant(const Keys& keys) {
 }  // namespace
 
 TomlValue to_toml_value(const Field& field, const FieldValue& value, size_t nesting) {
-  if (value.index() != field.value.index())
-    throw std::invalid_argument(fmt::format("a value of another type than `{}` has", field.path));
+  if (!field.takes(value))
+    throw std::invalid_argument(fmt::format("a value of another type than `{}` takes", field.path));
   return std::visit(
       [&](const auto& v) -> TomlValue {
         using T = std::decay_t<decltype(v)>;

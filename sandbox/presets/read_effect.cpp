@@ -26,14 +26,17 @@ constexpr Limits kShare{0, 1};
 constexpr Limits kRadiance{0, 10'000};
 
 void read_rate(TableReader& spawn, Spawn& out) {
+  const Column tick_column{"tick", kTick, true}, rate_column{"per_second", kRate};
   if (spawn.is_array("rate")) {
     std::vector<std::array<double, 2>> keys;
-    spawn.pairs("rate", {"tick", kTick, true}, {"per_second", kRate}, 2, keys);
+    spawn.pairs("rate", tick_column, rate_column, 2, keys);
+    spawn.also_number("rate", kRate);
     for (const auto& [tick, per_second] : keys) out.rate.push_back({static_cast<uint32_t>(tick), per_second});
     return;
   }
   double per_second = 0;
   const bool constant = spawn.number("rate", per_second, kRate);
+  spawn.also_pairs("rate", tick_column, rate_column, 2);
   if (!spawn.has("rate") && !spawn.has("duration")) return;
   uint32_t duration = 0;
   const bool lasting = spawn.integer("duration", duration, {1, kTick.max, kTick.unit}, Need::kRequired);

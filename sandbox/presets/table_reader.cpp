@@ -139,6 +139,15 @@ void TableReader::offer(std::string_view key, std::vector<std::string> names, st
   if (Field* field = noted(key)) field->options = std::move(names), field->names = what;
 }
 
+void TableReader::also_pairs(std::string_view key, const Column& first, const Column& second,
+                             size_t at_least) {
+  if (Field* field = noted(key)) field->columns = {first, second}, field->at_least = at_least;
+}
+
+void TableReader::also_number(std::string_view key, Limits limits) {
+  if (Field* field = noted(key)) field->limits = limits;
+}
+
 void TableReader::rivals(std::string_view key, std::string_view other) {
   Field *first = noted(key), *second = noted(other);
   if (!first || !second) return;

@@ -100,6 +100,9 @@ class TableReader {
 
   /// Notes that a text is one of `names`, and what it names (see Field::names).
   void offer(std::string_view key, std::vector<std::string> names, std::string_view what);
+  /// Notes that a number could be pairs as well, or pairs a number.
+  void also_pairs(std::string_view key, const Column& first, const Column& second, size_t at_least);
+  void also_number(std::string_view key, Limits limits);
   /// Notes that these do not stand beside each other, which the caller reports in its own words.
   void rivals(std::string_view key, std::string_view other);
   /// Reports unless one of two keys is given, and not both.
