@@ -9,7 +9,7 @@ using shared::Particle;
 using shared::Span;
 
 struct KernelPush {
-  uint32_t threads, first_span, spans;
+  uint32_t threads, first_group;
 };
 
 struct CardsPush {
@@ -17,10 +17,8 @@ struct CardsPush {
   uint32_t first_card, first_body;
 };
 
-constexpr uint32_t kGroupSize = 64;
-
 KernelPush push_of(const SpanList::Kernel& kernel) {
-  return {.threads = kernel.threads, .first_span = kernel.first_span, .spans = kernel.spans};
+  return {.threads = kernel.threads, .first_group = kernel.first_group};
 }
 
 uint32_t motion_kernel(uint32_t features) {
@@ -197,14 +195,15 @@ void Simulation::plan() {
 /// What any kernel may ask for. A descriptor needs something to point at where there is nothing.
 gpu::Bindings Simulation::bindings(const SpanList& list) const {
   const auto or_any = [&](const gpu::Buffer& buffer) { return buffer ? &buffer : &emitter_data_; };
-  return {{"Particles", or_any(particles_)},
-          {"Spans", &list.buffer()},
-          {"Emitters", &emitter_data_},
-          {"Curves", &curves_},
-          {"Births", or_any(births_buffer_)},
-          {"PathKeys", or_any(path_keys_)},
-          {"MeshRanges", or_any(meshes_.ranges())},
-          {"MeshTriangles", or_any(meshes_.triangles())}};
+  gpu::Bindings bound = list.bindings();
+  bound.insert(bound.end(), {{"Particles", or_any(particles_)},
+                             {"Emitters", &emitter_data_},
+                             {"Curves", &curves_},
+                             {"Births", or_any(births_buffer_)},
+                             {"PathKeys", or_any(path_keys_)},
+                             {"MeshRanges", or_any(meshes_.ranges())},
+                             {"MeshTriangles", or_any(meshes_.triangles())}});
+  return bound;
 }
 
 void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& list) const {
@@ -212,7 +211,7 @@ void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& lis
   for (const gpu::Binding& own : bindings(list)) bound.push_back(own);
   for (const SpanList::Kernel& kernel : list.kernels())
     pass.dispatch(pipelines_.compute(shader, {kernel.id}), bound, push_of(kernel),
-                  {gpu::groups(kernel.threads, kGroupSize), 1, 1});
+                  {gpu::groups(kernel.threads, shared::kSpanGroup), 1, 1});
 }
 
 std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick, const Views& views) {
@@ -268,7 +267,7 @@ void Simulation::record_cards(gpu::Pass& pass, const gpu::Buffer& view, const gp
     pass.dispatch(
         pipelines_.compute(card_shader(kernel.id), {card_features(kernel.id), bodies ? 1u : 0u}), bound,
         CardsPush{.kernel = push_of(kernel), .first_card = first_card + first_body, .first_body = first_body},
-        {gpu::groups(kernel.threads, kGroupSize), 1, 1});
+        {gpu::groups(kernel.threads, shared::kSpanGroup), 1, 1});
     first_body += cards_of(kernel);
   }
 }

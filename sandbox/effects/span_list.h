@@ -12,10 +12,10 @@ namespace plume {
 
 class SpanList {
  public:
-  /// As the kernels take it, beginning with what all of them push.
+  /// As the kernels take it, its id apart.
   struct Kernel {
     uint32_t id;
-    uint32_t threads, first_span, spans;
+    uint32_t threads, first_group;
   };
 
   void clear();
@@ -27,7 +27,8 @@ class SpanList {
 
   bool empty() const { return by_kernel_.empty(); }
   const std::vector<Kernel>& kernels() const { return kernels_; }
-  const gpu::Buffer& buffer() const { return buffer_; }
+  /// What the kernels read: shaders/effects/spans.glsl.
+  gpu::Bindings bindings() const { return {{"Spans", &spans_}, {"SpanOfGroup", &span_of_group_}}; }
 
  private:
   struct Spans {
@@ -36,7 +37,7 @@ class SpanList {
   };
   std::map<uint32_t, Spans> by_kernel_;
   std::vector<Kernel> kernels_;
-  gpu::Buffer buffer_;
+  gpu::Buffer spans_, span_of_group_;
 };
 
 /// Fills a host-visible buffer, made anew only when it has been outgrown.

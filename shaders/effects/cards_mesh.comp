@@ -15,8 +15,7 @@ layout(scalar, binding = 9) writeonly buffer Bodies { LitBody bodies[]; };   // 
 layout(constant_id = 1) const uint kBodies = 0u;   // light asks what is there
 layout(push_constant) uniform Push {
   uint threads;
-  uint first_span;
-  uint span_count;
+  uint first_group;
   uint first_card;
   uint first_body;
 };
@@ -74,7 +73,7 @@ Card card_of(EmitterData e, uint emitter, Particle p, Look look, Face face) {
 void main() {
   const uint thread = gl_GlobalInvocationID.x;
   if (thread >= threads) return;
-  const Span span = span_of(thread, first_span, span_count);
+  const Span span = span_of(thread, first_group);
   const EmitterData e = emitters[span.emitter];
   const uint at = thread - span.offset, index = at / e.cards_each, birth = span.first + index;
   Particle p = particle_at(span, index);

@@ -21,8 +21,7 @@ layout(scalar, binding = 9) writeonly buffer Bodies { LitBody bodies[]; };   // 
 layout(constant_id = 1) const uint kBodies = 0u;   // light asks what is there
 layout(push_constant) uniform Push {
   uint threads;   // segments
-  uint first_span;
-  uint span_count;
+  uint first_group;
   uint first_card;
   uint first_body;
 };
@@ -102,7 +101,7 @@ Card half_of(vec3 corner, vec3 to_u, vec3 to_v) {
 void main() {
   const uint thread = gl_GlobalInvocationID.x;
   if (thread >= threads) return;
-  const Span span = span_of(thread, first_span, span_count);
+  const Span span = span_of(thread, first_group);
   const EmitterData e = emitters[span.emitter];
   const int index = int(thread - span.offset);
   const uint at = first_card + 2u * thread;

@@ -8,14 +8,13 @@ layout(local_size_x = 64) in;
 layout(scalar, binding = 0) buffer Particles { Particle particles[]; };
 layout(push_constant) uniform Push {
   uint threads;
-  uint first_span;
-  uint span_count;
+  uint first_group;
 };
 
 void main() {
   const uint thread = gl_GlobalInvocationID.x;
   if (thread >= threads) return;
-  const Span span = span_of(thread, first_span, span_count);
+  const Span span = span_of(thread, first_group);
   const uint index = thread - span.offset, birth = span.first + index;
   const uint slot = slot_of(span, index);
   const Particle p = particles[slot];

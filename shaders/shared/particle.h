@@ -159,6 +159,8 @@ const uint kResponseSlide = 1u;
 const uint kResponseDie = 2u;
 const uint kResponseStick = 3u;
 
+const uint kSpanGroup = 64u;  // threads of a work group of the kernels that spans are for
+
 // Births first .. first + count - 1 of one emitter. Birth k lives in slot base + k mod capacity.
 struct Span {
   uint emitter;
