@@ -12,7 +12,7 @@ void BM_Cards(benchmark::State& state) {
   CardMaker cards(simulation);
   AgainstCopy result(state, "particles/s", double(state.range(0)),
                      sizeof(shared::Particle) + sizeof(shared::Card));
-  for (auto _ : state) result.add(seconds_of(cards.make(simulation), "cards"));
+  for (auto _ : state) result.measure([&] { return seconds_of(cards.make(simulation), "cards"); });
 }
 
 BENCHMARK(BM_Cards)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);

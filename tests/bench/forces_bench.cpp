@@ -60,7 +60,7 @@ void step(benchmark::State& state, const Forces& forces) {
   AgainstCopy result(state, "particles/s", double(state.range(0)), kStepBytes);
   for (auto _ : state) {
     if (simulation.tick() + 2 >= kLife) simulation.seek(1);  // all alive, always
-    result.add(seconds_of(simulation.step(), "simulate"));
+    result.measure([&] { return seconds_of(simulation.step(), "simulate"); });
   }
 }
 

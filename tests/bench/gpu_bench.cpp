@@ -1,5 +1,7 @@
 #include "tests/bench/gpu_bench.h"
 
+#include <ctime>
+
 #include "sandbox/measure/statistics.h"
 
 namespace plume {
@@ -31,10 +33,22 @@ double copy_seconds(uint64_t bytes_moved) {
   return seconds_of(frame.finish(), "copy");
 }
 
+double cpu_seconds() {
+  return double(std::clock()) / CLOCKS_PER_SEC;
+}
+
 void AgainstCopy::add(double seconds) {
   state_.SetIterationTime(seconds);
   seconds_.push_back(seconds);
+  const double before = cpu_seconds();
   copies_.push_back(copy_seconds(uint64_t(items_ * bytes_per_item_)));
+  cpu_copies_.push_back(cpu_seconds() - before);
+}
+
+void AgainstCopy::measure(const std::function<double()>& work) {
+  const double before = cpu_seconds(), seconds = work();
+  cpu_seconds_.push_back(cpu_seconds() - before);
+  add(seconds);
 }
 
 AgainstCopy::~AgainstCopy() {
@@ -43,6 +57,10 @@ AgainstCopy::~AgainstCopy() {
   state_.counters[unit_] = items_ / median;
   state_.counters["bytes_per_item"] = bytes_per_item_;
   state_.counters["ratio_to_copy"] = median / summarise(copies_).median;
+  if (cpu_seconds_.empty()) return;
+  const double cpu = summarise(cpu_seconds_).median;
+  state_.counters["cpu_ns"] = cpu / items_ * 1e9;
+  state_.counters["cpu_ratio_to_copy"] = cpu / summarise(cpu_copies_).median;
 }
 
 }  // namespace plume

@@ -4,6 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <functional>
+
 #include "renderer/methods/methods.h"
 #include "sandbox/scene/stage.h"
 
@@ -24,12 +26,18 @@ double copy_seconds(uint64_t bytes_moved);
 
 double seconds_of(const std::vector<gpu::PassTime>& passes, std::string_view name);
 
-/// Median of `runs` and of copies between them, as counters: ratio_to_copy, and `unit` per second.
+/// CPU seconds of all threads so far. Of work on a CPU device, what no other program can add to.
+double cpu_seconds();
+
+/// Median of runs and of copies between them, as counters: ratio_to_copy, and `unit` per second. Of work that
+/// is measured here, also cpu_ns for an item and cpu_ratio_to_copy.
 class AgainstCopy {
  public:
   AgainstCopy(benchmark::State& state, const char* unit, double items, double bytes_per_item)
       : state_(state), unit_(unit), items_(items), bytes_per_item_(bytes_per_item) {}
   void add(double seconds);
+  /// `work` returns its device seconds, and does nothing else to speak of.
+  void measure(const std::function<double()>& work);
   ~AgainstCopy();
 
  private:
@@ -37,6 +45,7 @@ class AgainstCopy {
   const char* unit_;
   double items_, bytes_per_item_;
   std::vector<double> seconds_, copies_;
+  std::vector<double> cpu_seconds_, cpu_copies_;
 };
 
 /// The device's own clock, and as many runs for a short kernel as for a long one: medians need no more.

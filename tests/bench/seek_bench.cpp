@@ -14,7 +14,7 @@ void BM_Seek(benchmark::State& state) {
   simulation.seek(age);
   const double particle_ticks = double(particles) * age;
   AgainstCopy result(state, "particle_ticks/s", particle_ticks, 2.0 * sizeof(shared::Particle) / age);
-  for (auto _ : state) result.add(seconds_of(simulation.seek(age), "simulate"));
+  for (auto _ : state) result.measure([&] { return seconds_of(simulation.seek(age), "simulate"); });
 }
 
 BENCHMARK(BM_Seek)
