@@ -76,10 +76,11 @@ Life first_life(uint emitter, uint birth, uint tick, float part) {
   return settle(Life(m, 0u, generation), emitter, birth, false);
 }
 
-// From `tick` to the next.
-Life advance(Life life, uint emitter, uint birth, uint tick) {
+// From `tick` to the next. `own` is the emitter's: read once, not at each tick, where no ancestor can be who the slot carries.
+Life advance(Life life, EmitterData own, uint emitter, uint birth, uint tick) {
   const Kin kin = kin_of(emitter, birth, life.generation);
-  const EmitterData e = emitters[kin.emitter];
+  EmitterData e = own;
+  if ((kFeatures & kUsesLineage) != 0u) e = emitters[kin.emitter];
   life.motion = step_motion(e, origin_at(e, float(tick)), life.motion, life.age, tick);
   life.age += 1u;
   const bool dies = life.age >= life_of(e, particle_key(e, kin.birth)) || (life.motion.contact & kKilled) != 0u;

@@ -25,7 +25,8 @@ void main() {
   const bool goes_on = born < span.resume;
   Life life = first_life(span.emitter, birth, born, time.part);
   if (goes_on) life = life_in(particles[slot]);
+  const EmitterData own = emitters[span.emitter];
   for (uint tick = goes_on ? span.resume - 1u : born; tick < span.tick && life.age != kDeadAge; ++tick)
-    life = advance(life, span.emitter, birth, tick);
+    life = advance(life, own, span.emitter, birth, tick);
   particles[slot] = particle_of(life, birth);
 }

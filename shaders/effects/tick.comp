@@ -19,5 +19,5 @@ void main() {
   const uint slot = slot_of(span, index);
   const Particle p = particles[slot];
   if (age_of(p) == kDeadAge) return;
-  particles[slot] = particle_of(advance(life_in(p), span.emitter, birth, span.tick - 1u), birth);
+  particles[slot] = particle_of(advance(life_in(p), emitters[span.emitter], span.emitter, birth, span.tick - 1u), birth);
 }
