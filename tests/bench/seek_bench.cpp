@@ -17,10 +17,7 @@ void BM_Seek(benchmark::State& state) {
   for (auto _ : state) result.measure([&] { return seconds_of(simulation.seek(age), "simulate"); });
 }
 
-BENCHMARK(BM_Seek)
-    ->ArgsProduct({{10'000}, {1, 10, 100, 1'000, 10'000, kMaxLife - 1}})
-    ->Apply(timed)
-    ->Iterations(5);
+BENCHMARK(BM_Seek)->ArgsProduct({{1'000}, {100, 1'000, 10'000, kMaxLife - 1}})->Apply(timed)->Iterations(5);
 BENCHMARK(BM_Seek)->ArgsProduct({{100'000}, {1, 10, 100, 600}})->Apply(timed);
 
 }  // namespace
