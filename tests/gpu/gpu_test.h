@@ -14,9 +14,13 @@ namespace plume {
 
 class GpuTest : public testing::Test {
  protected:
-  // PLUME_TEST_SYNCHRONIZATION=1 checks hazards too, at several times the cost.
-  gpu::Device device{
-      {.validate = true, .synchronization_validation = std::getenv("PLUME_TEST_SYNCHRONIZATION") != nullptr}};
+  explicit GpuTest(bool validate = true)
+      // PLUME_TEST_SYNCHRONIZATION=1 checks hazards too, at several times the cost.
+      : device({.validate = validate,
+                .synchronization_validation =
+                    validate && std::getenv("PLUME_TEST_SYNCHRONIZATION") != nullptr}) {}
+
+  gpu::Device device;
   // PLUME_TEST_SHADERS=folder takes shaders from there: to see that a test fails on a broken one.
   gpu::Shaders shaders{std::getenv("PLUME_TEST_SHADERS") ? std::getenv("PLUME_TEST_SHADERS") : ""};
   gpu::Pipelines pipelines{device, shaders};

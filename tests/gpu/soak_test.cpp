@@ -1,0 +1,131 @@
+// A soak of the scene `everything`: its timeline is walked tick by tick again and again; between two rounds
+// the walker goes to kMaxTick, where nothing lives, and back. At checkpoints everything is finite: particles,
+// cards and the picture; the state is that of the rounds before, and that of another stage, called anywhere
+// up to kMaxTick, which seeks to that tick; and memory is what it was.
+//
+// By default that is a few seconds, of some ticks and without the mist's 200 000 particles.
+// PLUME_SOAK_TICKS=N walks N ticks of the whole: scripts/soak.sh. Then without validation, whose layers keep
+// a little of every frame.
+#include <malloc.h>
+
+#include <fstream>
+#include <glm/gtc/packing.hpp>
+#include <random>
+
+#include "tests/gpu/gpu_test.h"
+
+namespace plume {
+namespace {
+
+constexpr glm::uvec2 kSize{160, 90};
+/// What the driver may keep for itself from the second round on: llvmpipe has lists of 36 MiB of triangles in
+/// flight, more or fewer of them. Over 10^6 ticks this finds what leaks 140 bytes a tick.
+constexpr uint64_t kHeapSlack = uint64_t{128} << 20;
+
+/// In use, the driver's part included, which on a CPU device is all of the device's memory.
+uint64_t heap_bytes() {
+  const auto heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+bool is_finite(glm::vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+bool is_finite(glm::uvec2 halves) {
+  const glm::vec2 low = glm::unpackHalf2x16(halves.x), high = glm::unpackHalf2x16(halves.y);
+  return is_finite(glm::vec3(low, high.x)) && std::isfinite(high.y);
+}
+bool is_finite(const shared::Particle& p) {
+  return is_finite(p.position) && is_finite(p.velocity);
+}
+bool is_finite(const shared::Card& c) {
+  return is_finite(c.center) && is_finite(c.axis_u) && is_finite(c.axis_v) &&
+         is_finite(glm::vec3(c.optical_depth, c.inv_feather, 0)) && is_finite(c.sunlit) &&
+         is_finite(c.ambient) && is_finite(c.emission) && is_finite(c.transmission) && is_finite(c.light) &&
+         is_finite(c.motion);
+}
+
+class SoakTest : public GpuTest {
+ protected:
+  SoakTest() : GpuTest(!std::getenv("PLUME_SOAK_TICKS")) {}
+
+  struct Timeline {
+    Scene scene;
+    uint32_t first, last;      // ticks of a round
+    uint32_t checkpoint_each;  // ticks, from the first on
+  };
+  Timeline a_busy_moment() {
+    Scene scene = library.scene("everything");
+    std::erase_if(scene.instances, [](const Instance& instance) { return instance.name == "mist"; });
+    return {std::move(scene), 620, 649, 29};
+  }
+  Timeline all_of_it() {
+    Scene scene = library.scene("everything");
+    const uint32_t last = scene.duration_ticks - 1;
+    return {std::move(scene), 0, last, 399};
+  }
+
+  uint64_t hash_where_called_later(const Timeline& timeline, uint32_t later, uint32_t tick) {
+    Scene scene = timeline.scene;
+    for (Instance& instance : scene.instances) *instance.call_tick += later;
+    Stage stage(device, pipelines, library, std::move(scene));
+    stage.go_to(tick + later, kSize);
+    return stage.simulation().state_hash();
+  }
+
+  void expect_finite(Stage& stage, const Targets& targets, MethodInstance& method) {
+    for (const glm::vec3 pixel : draw(stage, targets, method).linear.pixels)
+      ASSERT_TRUE(is_finite(pixel)) << "a pixel";
+    for (const shared::Particle& particle : stage.simulation().particles())
+      ASSERT_TRUE(is_finite(particle)) << "particle " << particle.birth;
+    auto cards = gpu::read<shared::Card>(device, *stage.transparents().cards);
+    cards.resize(stage.transparents().count);
+    for (size_t i = 0; i < cards.size(); ++i) ASSERT_TRUE(is_finite(cards[i])) << "card " << i;
+  }
+
+  void soak(const Timeline& timeline, uint64_t ticks, bool says_where_it_is) {
+    Stage stage(device, pipelines, library, timeline.scene);
+    const Targets targets(device, kSize, stage.post());
+    MethodInstance method = instance("avboit");
+    std::map<uint32_t, uint64_t> hashes, device_bytes;  // by tick
+    uint64_t warm_bytes = 0, walked = 0;
+    std::mt19937 random(1);
+    for (uint32_t round = 0; walked < ticks; ++round) {
+      for (uint32_t tick = timeline.first; tick <= timeline.last; ++tick, ++walked) {
+        stage.go_to(tick, kSize);
+        if ((tick - timeline.first) % timeline.checkpoint_each != 0) continue;
+        SCOPED_TRACE(testing::Message() << "round " << round << ", tick " << tick);
+        expect_finite(stage, targets, method);
+        if (HasFatalFailure()) return;
+        const uint64_t hash = stage.simulation().state_hash();
+        ASSERT_EQ(hashes.try_emplace(tick, hash).first->second, hash);
+        if (round == 0) continue;  // which makes room for what comes
+        const uint64_t bytes = device.memory().total_bytes();
+        ASSERT_EQ(device_bytes.try_emplace(tick, bytes).first->second, bytes);
+      }
+      const auto checkpoint = std::next(hashes.begin(), long(random() % hashes.size()));
+      const uint32_t later = uint32_t(random() % (kMaxTick - timeline.last));
+      const uint64_t before = device.memory().total_bytes();
+      ASSERT_EQ(checkpoint->second, hash_where_called_later(timeline, later, checkpoint->first))
+          << "tick " << checkpoint->first << ", called " << later << " ticks later";
+      ASSERT_EQ(before, device.memory().total_bytes());
+      stage.go_to(kMaxTick, kSize);
+      EXPECT_EQ(0u, device.memory().owner_bytes("particles"));
+      const uint64_t in_use = heap_bytes();
+      if (round <= 1) warm_bytes = in_use;
+      ASSERT_LE(in_use, warm_bytes + kHeapSlack) << "round " << round;
+      if (says_where_it_is)
+        std::cerr << "soak: " << walked << " of " << ticks << " ticks, " << (in_use >> 10)
+                  << " KiB of the heap in use\n";
+    }
+    RecordProperty("ticks", int(walked));
+  }
+};
+
+TEST_F(SoakTest, EverythingStaysFiniteAndExactAndAsLargeAsItWas) {
+  const char* wanted = std::getenv("PLUME_SOAK_TICKS");
+  soak(wanted ? all_of_it() : a_busy_moment(), wanted ? std::stoull(wanted) : 90, wanted != nullptr);
+}
+
+}  // namespace
+}  // namespace plume
