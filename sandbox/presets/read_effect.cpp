@@ -57,7 +57,9 @@ void read_spawn(TableReader& spawn, Spawn& out) {
   spawn.range("life", out.life_ticks, {1, kMaxLife, "ticks"}, Need::kRequired);
   if (spawn.mistakes() > before) return;
 
-  const char* most = spawn.has("rate") ? "rate" : "bursts";
+  uint64_t by_bursts = 0;
+  for (const Spawn::Burst& burst : out.bursts) by_bursts += burst.count;
+  const char* most = by_bursts > kMaxAlive || !spawn.has("rate") ? "bursts" : "rate";
   try {
     const SpawnSchedule schedule(out);
     if (schedule.births_total() == 0 && out.per_metre == 0)

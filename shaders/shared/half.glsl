@@ -1,6 +1,11 @@
-// Four half floats in two words.
+// Four half floats in two words. What is beyond the largest of them becomes that, not an infinity, of which blending makes NaN: a
+// radiance of 10 000 that its fade multiplies by 100, or a velocity of km a tick.
 #ifndef PLUME_SHARED_HALF_GLSL
 #define PLUME_SHARED_HALF_GLSL
-uvec2 pack_half4(vec4 v) { return uvec2(packHalf2x16(v.xy), packHalf2x16(v.zw)); }
+const float kLargestHalf = 65504.0;
+uvec2 pack_half4(vec4 v) {
+  v = clamp(v, -kLargestHalf, kLargestHalf);
+  return uvec2(packHalf2x16(v.xy), packHalf2x16(v.zw));
+}
 vec4 unpack_half4(uvec2 p) { return vec4(unpackHalf2x16(p.x), unpackHalf2x16(p.y)); }
 #endif
