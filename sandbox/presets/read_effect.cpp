@@ -235,6 +235,9 @@ void read_top(TableReader& top, Effect& effect) {
         const bool is_child = table.table(
             "parent", [&](TableReader& parent) { emitter.parent = read_parent(parent, effect.emitters); });
         table.table(
+            "look", [&](TableReader& look) { read_look(look, effect.layers, is_child, emitter.look); },
+            Need::kRequired);
+        table.table(  // after the look: how many children there are depends on whether they are a ribbon
             "spawn",
             [&](TableReader& spawn) {
               is_child ? read_spawn_of_child(spawn, effect.emitters, emitter)
@@ -249,9 +252,6 @@ void read_top(TableReader& top, Effect& effect) {
                           "`analytic` of a child, whose place follows from its parent's steps: "
                           "expected an emitter without `parent`");
         });
-        table.table(
-            "look", [&](TableReader& look) { read_look(look, effect.layers, is_child, emitter.look); },
-            Need::kRequired);
         if (emitter.motion.analytic && emitter.look.opaque)
           table.report("look", "`opaque` pieces keep their states, expected no `analytic` in `motion`");
         if (std::ranges::find(effect.emitters, emitter.name, &Emitter::name) != effect.emitters.end())

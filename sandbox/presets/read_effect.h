@@ -15,7 +15,8 @@ namespace plume {
 
 class PresetLibrary;
 
-/// More than this alive at once in one emitter is an error: their state must fit one 128 MiB storage buffer.
+/// More than this alive at once, in one emitter or in a scene, is an error: their state must fit one 128 MiB
+/// storage buffer.
 constexpr uint64_t kMaxAlive = 4'000'000;
 
 /// Throws FileErrors with everything that is wrong in the file. Meshes are named, not read: see

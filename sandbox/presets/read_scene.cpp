@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "renderer/parameters.h"
+#include "sandbox/effects/lineage.h"
+#include "sandbox/effects/spawn_schedule.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/read_effect.h"
 #include "sandbox/presets/table_reader.h"
 #include "sandbox/scene/figure.h"
 #include "shaders/shared/light.h"
@@ -21,6 +26,7 @@ constexpr uint32_t kFigure = 4;
 
 constexpr size_t kMaxCameraKeys = 10'000, kMaxPathKeys = 10'000;
 constexpr size_t kMaxSolids = 1'000, kMaxPanes = 10'000, kMaxInstances = 1'000;
+constexpr Limits kPathTick{0, 1 << 24, "ticks"};  // whole numbers that the simulation's floats hold
 constexpr Limits kSeed{0, UINT32_MAX};
 constexpr Limits kPlace{-10'000, 10'000, "m"};
 constexpr Limits kExtent{0.001, 10'000, "m"};
@@ -119,7 +125,7 @@ Instance read_instance(TableReader& table, const std::string& file) {
   }
   table.vector("position", instance.position, kPlace);
   std::vector<std::pair<double, glm::vec3>> way;
-  if (table.points("path", {"tick", kTick, true}, {"[x, y, z]", kPlace}, {2, kMaxPathKeys}, way)) {
+  if (table.points("path", {"tick", kPathTick, true}, {"[x, y, z]", kPlace}, {2, kMaxPathKeys}, way)) {
     std::vector<Path::Key> keys;
     for (const auto& [key, place] : way) keys.push_back({static_cast<uint32_t>(key), place});
     instance.path.emplace(std::move(keys));
@@ -147,6 +153,73 @@ void check_layers(const Instance& instance, const Effect& effect, std::vector<Di
                                   ? fmt::format("expected no `layers`: effect `{}` has none", effect.id)
                                   : fmt::format("{} (of effect `{}`)", suggestion(name, names), effect.id);
     found.push_back({at.file, at.line, at.column, fmt::format("unknown layer `{}`, {}", name, right)});
+  }
+}
+
+SpawnSchedule schedule_of(const Instance& instance, const Lineage& lineage) {
+  const uint32_t call_tick = *instance.call_tick;
+  return SpawnSchedule(lineage.spawn,
+                       {.path = instance.path ? &*instance.path : nullptr,
+                        .stop_tick = instance.stop_tick ? *instance.stop_tick - call_tick : UINT32_MAX,
+                        .per_root = lineage.per_root,
+                        .life = lineage.life});
+}
+
+/// Particles that an instance can have at once, and the ticks of the scene at which it can have any.
+struct Load {
+  const Instance* instance;
+  uint64_t particles = 0;
+  uint64_t first_tick = 0, end_tick = 0;
+};
+
+/// Nothing, and a diagnostic, where an emitter alone has too many: how far an instance travels, and so what
+/// is born on the way, is known here only.
+std::optional<Load> load_of(const Instance& instance, const Effect& effect, std::vector<Diagnostic>& found) {
+  Load load{.instance = &instance, .first_tick = *instance.call_tick, .end_tick = *instance.call_tick};
+  for (uint32_t i = 0; i < effect.emitters.size(); ++i) {
+    const auto too_many = [&](const std::string& what) {
+      const auto& [file, line, column] = instance.effect_at;
+      found.push_back(
+          {file, line, column,
+           fmt::format(
+               "`{}` of effect `{}`: {}: a shorter or slower `path`, or a lower `per_metre` or `life`",
+               effect.emitters[i].name, effect.id, what)});
+    };
+    try {
+      const SpawnSchedule schedule = schedule_of(instance, lineage_of(effect.emitters, i));
+      if (schedule.capacity() > kMaxAlive)
+        return too_many(fmt::format("{} particles are alive at once, expected at most {}",
+                                    schedule.capacity(), kMaxAlive)),
+               std::nullopt;
+      load.particles += schedule.capacity();
+      load.end_tick = std::max(load.end_tick, uint64_t{*instance.call_tick} + schedule.last_tick() + 1);
+    } catch (const std::overflow_error& error) {
+      return too_many(error.what()), std::nullopt;
+    }
+  }
+  for (const Freeze& freeze : instance.freezes) load.end_tick += freeze.until - freeze.from;
+  if (effect.off_screen == OffScreen::kPause) load.end_tick = UINT64_MAX;  // whenever one looks
+  return load;
+}
+
+/// Reports the first instance with which there are more than one buffer of the simulation holds.
+void check_total(const std::vector<Load>& loads, std::vector<Diagnostic>& found) {
+  for (const Load& last : loads) {
+    uint64_t particles = 0;
+    const Load* most = &last;
+    for (const Load& load : loads) {  // all that are there when the last one begins
+      if (load.first_tick > last.first_tick || load.end_tick <= last.first_tick) continue;
+      particles += load.particles;
+      if (load.particles > most->particles) most = &load;
+    }
+    if (particles <= kMaxAlive) continue;
+    const auto& [file, line, column] = last.instance->effect_at;
+    found.push_back(
+        {file, line, column,
+         fmt::format("{} particles need room at tick {}, {} of them those of `{}`, expected at most {}: call "
+                     "fewer instances at a time, or lower what they bear",
+                     particles, last.first_tick, most->particles, most->instance->name, kMaxAlive)});
+    return;
   }
 }
 
@@ -233,15 +306,24 @@ Scene read_scene(const std::filesystem::path& path) {
 
 std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library) {
   std::vector<Diagnostic> found;
+  std::map<std::string, Effect> effects;
+  std::vector<Load> loads;
   for (const Instance& instance : scene.instances) try {
       library.find(PresetKind::kEffect, instance.effect);
-      if (!instance.layers.empty()) check_layers(instance, library.effect(instance.effect), found);
+      if (!instance.call_tick && instance.layers.empty()) continue;
+      auto effect = effects.find(instance.effect);
+      if (effect == effects.end())
+        effect = effects.emplace(instance.effect, library.effect(instance.effect)).first;
+      check_layers(instance, effect->second, found);
+      if (!instance.call_tick) continue;
+      if (const auto load = load_of(instance, effect->second, found)) loads.push_back(*load);
     } catch (const PresetError& error) {
       found.push_back(
           {instance.effect_at.file, instance.effect_at.line, instance.effect_at.column, error.what()});
     } catch (const FileErrors&) {
       // Whatever is wrong in an effect is reported when that is read.
     }
+  check_total(loads, found);
   return found;
 }
 

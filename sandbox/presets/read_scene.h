@@ -26,7 +26,8 @@ Scene read_scene_text(std::string_view text, const std::string& file);
 /// What the file says and could say, as effect_fields().
 std::vector<Field> scene_fields(std::string_view text, const std::string& file);
 
-/// A diagnostic for each instance whose effect the library does not have.
+/// A diagnostic for each instance whose effect the library does not have, or that bears too many particles on
+/// its way, and for the first with which those of the whole scene no longer fit one buffer.
 std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library);
 
 /// The [camera] or [[camera]] of a scene or a replay.

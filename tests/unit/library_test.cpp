@@ -1,6 +1,7 @@
 // Finding presets in a folder, by id and by path, and checking files of any kind.
 #include "sandbox/presets/library.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -123,6 +124,60 @@ TEST_F(Library, CheckLooksReferencesUpInTheTreeOfTheFileOrTheLibrary) {
   EXPECT_EQ(check_file(loose).size(), 0u);
   const PresetLibrary known = library();
   EXPECT_EQ(check_file(loose, &known).size(), 1u);
+}
+
+TEST_F(Library, CheckTellsAScenesInstanceThatItBearsTooManyOnItsWay) {
+  write("effects/trail.toml",
+        "name = 'T'\n[[emitter]]\nname = 'wake'\nspawn = {per_metre = 1000, life = 60}\nlook.opacity = 1\n");
+  const auto on_a_way = [&](const std::string& keys) {
+    return check_file(
+        write("scenes/way.toml",
+              std::string(kScene) + "[[instance]]\neffect = 'trail'\ncall_tick = 0\npath = " + keys + "\n"));
+  };
+  EXPECT_TRUE(on_a_way("[[0, [0, 0, 0]], [60, [3999, 0, 0]]]").empty());
+  EXPECT_TRUE(on_a_way("[[0, [0, 0, 0]], [120, [7000, 0, 0]]]").empty()) << "half of them at once";
+  const auto at_once = on_a_way("[[0, [0, 0, 0]], [60, [4001, 0, 0]]]");
+  ASSERT_EQ(at_once.size(), 1u);
+  EXPECT_EQ(at_once[0].line, 4u);
+  EXPECT_EQ(at_once[0].column, 10u);
+  EXPECT_EQ(at_once[0].message,
+            "`wake` of effect `trail`: 4001000 particles are alive at once, expected at most 4000000: a "
+            "shorter or slower `path`, or a lower `per_metre` or `life`");
+  std::string there_and_back = "[[0, [0, 0, 0]]";
+  for (int i = 1; i <= 300; ++i)
+    there_and_back += fmt::format(", [{}, [{}, 0, 0]]", 10'000 * i, i % 2 * 20'000 - 10'000);
+  const auto in_all = on_a_way(there_and_back + "]");
+  ASSERT_EQ(in_all.size(), 1u);
+  EXPECT_NE(in_all[0].message.find("particles are born in all, expected at most 4294967295"),
+            std::string::npos)
+      << in_all[0].message;
+}
+
+TEST_F(Library, CheckTellsASceneWhoseInstancesAreTogetherTooMany) {
+  write("effects/burst.toml",
+        "name = 'B'\n[[emitter]]\nname = 'e'\nspawn = {bursts = [[0, 2500000]], life = 60}\nlook.opacity = "
+        "1\n");
+  const auto called_again = [&](const std::string& keys) {
+    return check_file(
+        write("scenes/bursts.toml", std::string(kScene) + "[[instance]]\neffect = 'smoke'\ncall_tick = 5\n" +
+                                        "[[instance]]\neffect = 'burst'\nname = 'a'\ncall_tick = 10\n" +
+                                        "[[instance]]\neffect = 'burst'\nname = 'b'\n" + keys));
+  };
+  EXPECT_TRUE(called_again("").empty()) << "not called";
+  EXPECT_TRUE(called_again("call_tick = 70\n").empty()) << "when the others are gone";
+  for (const char* keys : {"call_tick = 69\n", "call_tick = 0\n", "call_tick = 0\nfreeze = [[1, 100]]\n"}) {
+    const auto found = called_again(keys);
+    ASSERT_EQ(found.size(), 1u) << keys;
+    EXPECT_NE(found[0].message.find("5000000 particles need room at tick"), std::string::npos)
+        << found[0].message;
+    EXPECT_NE(found[0].message.find("expected at most 4000000"), std::string::npos);
+  }
+  EXPECT_EQ(called_again("call_tick = 69\n")[0].line, 11u);
+  EXPECT_EQ(called_again("call_tick = 0\n")[0].line, 7u) << "with which there are too many";
+  write("effects/burst.toml",
+        "name = 'B'\noff_screen = 'pause'\n[[emitter]]\nname = 'e'\n"
+        "spawn = {bursts = [[0, 2500000]], life = 60}\nlook.opacity = 1\n");
+  EXPECT_EQ(called_again("call_tick = 7000\n").size(), 1u) << "the first may not have been seen yet";
 }
 
 TEST_F(Library, CheckReportsAFileThatIsNotThere) {
