@@ -1,6 +1,7 @@
 // Particles that are meshes: where their faces lie against the same rule in double precision, and how opaque
 // ones stand among everything else.
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 #include "shaders/effects/puff.h"
 #include "shaders/shared/hash.h"
@@ -120,11 +121,39 @@ TEST_F(MeshParticles, PiecesOnTheFloorStandOnItAndTumbleNoMore) {
   }
 }
 
-TEST_F(MeshParticles, GlossMirrorsWhatGlassWouldAndNothingElseShines) {
-  Effect effect = effect_of({wedge()}, 50);
+TEST_F(MeshParticles, GlossAddsWhatGlassMirrorsOfSkyAndSun) {
+  Effect effect = effect_of({wedge()}, 200);
+  Look& look = effect.emitters[0].look;
   for (const auto& card : cards_of(simulate(effect, 5))) EXPECT_EQ(glm::uvec2(0), card.emission);
-  effect.emitters[0].look.gloss = 1;
-  for (const auto& card : cards_of(simulate(effect, 5))) EXPECT_NE(glm::uvec2(0), card.emission);
+  look.gloss = 0.75f;
+  look.fade = Curve(0.5f);
+  look.emission = Gradient(glm::vec3(0.25f, 0.125f, 0.0625f));
+  Light light;
+  light.sun_direction = glm::normalize(light.sun_direction);
+  const glm::dvec3 sun(light.sun_direction), camera(0, 1, 10);
+  size_t glints = 0, from_below = 0;
+  const Simulation simulation = simulate(effect, 5);
+  for (const auto& card : cards_of(simulation, light)) {
+    const auto [corner, u_end, v_end] = corners(card);
+    const glm::dvec3 to_eye = glm::normalize(camera - corner);
+    glm::dvec3 normal = glm::normalize(glm::cross(u_end - corner, v_end - corner));
+    if (glm::dot(normal, to_eye) < 0) normal = -normal;
+    const glm::dvec3 from = glm::reflect(-to_eye, normal);
+    const double fresnel = 0.04 + 0.96 * std::pow(1 - glm::dot(normal, to_eye), 5);
+    const glm::dvec3 sky = glm::mix(glm::dvec3(light.horizon) * (from.y < 0 ? 0.4 : 1.0),
+                                    glm::dvec3(light.zenith), 1 - std::exp(-3.5 * std::max(from.y, 0.0)));
+    const glm::dvec3 glint =
+        glm::dvec3(light.sun_color) * 150.0 * std::pow(std::max(glm::dot(from, sun), 0.0), 300);
+    glints += glint.r > 0.1, from_below += from.y < -0.1;
+    const glm::vec2 rg = glm::unpackHalf2x16(card.emission.x), b = glm::unpackHalf2x16(card.emission.y);
+    for (int c = 0; c < 3; ++c) {
+      const double expected = 0.5 * (double(look.emission.at(0)[c]) + 0.75 * fresnel * (sky[c] + glint[c]));
+      // Halves, and a glint that a change of the angle by 1e-5 changes by 300 times as much.
+      EXPECT_NEAR(expected, glm::vec3(rg, b.x)[c], 0.01 * expected);
+    }
+  }
+  EXPECT_GT(glints, 0u);
+  EXPECT_GT(from_below, 20u);
 }
 
 class Debris : public PresetFolderTest {
@@ -193,6 +222,62 @@ TEST_F(Debris, HidesWhatIsBehindItAndIsHiddenByWhatIsInFront) {
     scene.solids[0].position.z = -3;
     expect_color(own, shot(scene, 15, id).middle, "a wall behind it");
   }
+}
+
+TEST_F(Debris, StandsWhereCardsOfTheSameMeshesWould) {
+  // Of two emitters, with meshes of different size, children that wait for their birth, and slots used again.
+  write("meshes/wedge.obj", "v 0 0 -0.5\nv 1 0 0.2\nv 0 2 0\nv -0.4 0.1 1\nf 1 2 3\nf 1 3 4\n");
+  const auto picture = [&](const std::string& solid) {
+    const std::string look =
+        "mesh = ['cube', 'wedge']\nlit = false\nradius_m = 0.7\n"
+        "tumble_deg_s = 200\nemission = [0.1, 0.05, 0.2]\n" +
+        solid;
+    write("effects/debris.toml",
+          "name = 'D'\n[[emitter]]\nname = 'a'\nspawn = {rate = 30, duration = 100, life = [12, 20]}\n"
+          "motion = {speed = 5}\n[emitter.look]\ncolor = [0.25, 0.5, 0.125]\n" +
+              look +
+              "[[emitter]]\nname = 'b'\nparent = {emitter = 'a', on = 'death', count = 2}\n"
+              "spawn = {life = 20}\nmotion = {speed = 3}\n[emitter.look]\ncolor = [0.5, 0.25, 0.75]\n" +
+              look);
+    Stage stage(device, pipelines, PresetLibrary(root_), scene_);
+    return draw(stage, 71, {160, 90}, "reference").linear.pixels;
+  };
+  const auto pieces = picture("opaque = true\n"), cards = picture("opacity = 1\n");
+  size_t drawn = 0, different = 0;
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    drawn += glm::length(pieces[i] - scene_.light.horizon) > 1e-2f;
+    different += glm::length(pieces[i] - cards[i]) > 1e-2f;
+  }
+  EXPECT_GT(drawn, pieces.size() / 20);
+  EXPECT_LT(different, drawn / 100) << "edges, which are rounded differently";
+}
+
+TEST_F(Debris, IsLitByTheSunOnTheSideThatIsSeen) {
+  write("meshes/sheet.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+  write("effects/debris.toml",
+        "name = 'D'\n[[emitter]]\nname = 'd'\nspawn = {bursts = [[10, 1]], life = 20}\n"
+        "look = {mesh = 'sheet', opaque = true, radius_m = 2, color = [0.25, 0.5, 0.125]}\n");
+  const Effect effect = PresetLibrary(root_).effect("debris");
+  scene_.light.horizon = scene_.light.zenith = glm::vec3(0.0f);
+  scene_.light.sun_direction = glm::normalize(glm::vec3(0.6f, 0.5f, 0.4f));
+  const glm::dvec3 sun(scene_.light.sun_direction);
+  size_t lit = 0, turned_away = 0;
+  for (uint32_t seed = 0; seed < 12; ++seed) {
+    scene_.instances[0].seed = seed;
+    MeshTable table;
+    const Call call{
+        .name = "d", .effect = &effect, .tick = 0, .position = {}, .yaw_deg = 0, .seed = seed, .layers = {}};
+    const uint32_t key = shared::hash_pair(emitter_data(call, 0, scene_.seed, {}, table).seed, 0);
+    glm::dvec3 normal = first_rotation(key).turn({0, 0, 1});
+    if (std::abs(normal.z) < 0.3) continue;  // seen from its edge
+    if (normal.z < 0) normal = -normal;
+    const double facing = std::max(glm::dot(normal, sun), 0.0), shade = 0.75 + 0.5 * random(key, 37);
+    lit += facing > 0.1, turned_away += facing == 0;
+    expect_color(glm::vec3(0.25f, 0.5f, 0.125f) * scene_.light.sun_color * float(facing * shade),
+                 shot(scene_, 15, "reference").middle, "a sheet");
+  }
+  EXPECT_GT(lit, 2u);
+  EXPECT_GT(turned_away, 0u);
 }
 
 TEST_F(Debris, CostsNoPassWhenNoneIsAwake) {

@@ -22,8 +22,9 @@ class ParticleCards : public GpuTest {
     simulation.seek(tick);
     return simulation;
   }
-  std::vector<shared::Card> cards_of(const Simulation& simulation) {
+  std::vector<shared::Card> cards_of(const Simulation& simulation, const Light& light = {}) {
     Scene scene;
+    scene.light = light;
     scene.camera = {{.tick = 0, .position = {0, 1, 10}, .target = {0, 1, 0}, .vertical_fov_deg = 50}};
     const auto view =
         gpu::make_buffer(device, "test", "view", std::vector{make_view(scene, scene.camera[0], {64, 36}, 0)});
