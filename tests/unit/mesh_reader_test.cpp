@@ -44,6 +44,17 @@ TEST(MeshReader, NamesThePlaceAndTheRemedyOfEveryMistake) {
   EXPECT_EQ(mistakes_of(std::string(kSquare) + "f 1 2 2"),
             std::vector<std::string>{
                 "m.obj:5:1: a face without area, expected corners that are apart and not in a line"});
+  EXPECT_EQ(mistakes_of(std::string(kSquare) + "f 0 1 2\nf -5 1 2\nf 1 2 3x\nv 1 2y 3"),
+            (std::vector<std::string>{
+                "m.obj:5:3: `0`, expected a vertex from 1 to 4, the number of `v` so far",
+                "m.obj:6:3: `-5`, expected a vertex from 1 to 4, the number of `v` so far",
+                "m.obj:7:7: `3x`, expected a vertex from 1 to 4, the number of `v` so far",
+                "m.obj:8:5: `2y`, expected a number from -1000 to 1000",
+            }));
+  std::string many_corners = std::string(kSquare) + "f";
+  for (int i = 0; i < 65; ++i) many_corners += " 1";
+  EXPECT_EQ(mistakes_of(many_corners),
+            std::vector<std::string>{"m.obj:5:1: `f` with 65 corners, expected 3 to 64"});
   EXPECT_EQ(
       mistakes_of(kSquare),
       std::vector<std::string>{"m.obj:1:1: the file has no face, expected `v x y z` for the corners and "
