@@ -346,6 +346,9 @@ TEST_F(LightingTest, WhatNothingCallsForHasNoPassesAndNoBytes) {
   EXPECT_EQ((std::vector<std::string>{"cards", "extinction", "light"}),
             light({puff({0, 1, 0}, 1, 1)}).passes);
   EXPECT_EQ((std::vector<std::string>{"cards", "light"}), light({ember({0, 1, 0}, 1, {1, 1, 1})}).passes);
+  EXPECT_EQ(std::vector<std::string>{"cards"},
+            light({ember({0, 1, 0}, 1, {1, 1, 1})}, {.fire_gain = 0}).passes)
+      << "fires are no lights";
 
   Scene smoke = library.scene("grenade");
   Stage stage(device, pipelines, library, smoke);
