@@ -5,7 +5,8 @@
 
 layout(scalar, binding = 4) readonly buffer PathKeys { PathKey path_keys[]; };
 
-// Where the emitter is at its own tick: linear between the keys of its path.
+// Where the emitter is at its own tick: linear between the keys of its path. Keys are whole ticks up to 2^24, which floats hold; what they
+// hold of the part of a tick at which a birth is becomes coarser on the way there: 1/16 of a tick after 2^20 (5 hours), none at 2^24.
 vec3 origin_at(EmitterData e, float tick) {
   precise vec3 origin = e.origin;
   if ((kFeatures & kUsesPath) != 0u && e.path_count > 0u) {

@@ -160,20 +160,22 @@ TEST_F(Library, CheckTellsASceneWhoseInstancesAreTogetherTooMany) {
   const auto called_again = [&](const std::string& keys) {
     return check_file(
         write("scenes/bursts.toml", std::string(kScene) + "[[instance]]\neffect = 'smoke'\ncall_tick = 5\n" +
-                                        "[[instance]]\neffect = 'burst'\nname = 'a'\ncall_tick = 10\n" +
+                                        "[[instance]]\neffect = 'burst'\nname = 'a'\ncall_tick = 100\n" +
                                         "[[instance]]\neffect = 'burst'\nname = 'b'\n" + keys));
   };
   EXPECT_TRUE(called_again("").empty()) << "not called";
-  EXPECT_TRUE(called_again("call_tick = 70\n").empty()) << "when the others are gone";
-  for (const char* keys : {"call_tick = 69\n", "call_tick = 0\n", "call_tick = 0\nfreeze = [[1, 100]]\n"}) {
+  EXPECT_TRUE(called_again("call_tick = 160\n").empty()) << "when the others are gone";
+  EXPECT_TRUE(called_again("call_tick = 40\n").empty()) << "gone before the others";
+  for (const char* keys :
+       {"call_tick = 159\n", "call_tick = 41\n", "call_tick = 40\nfreeze = [[50, 51]]\n"}) {
     const auto found = called_again(keys);
     ASSERT_EQ(found.size(), 1u) << keys;
     EXPECT_NE(found[0].message.find("5000000 particles need room at tick"), std::string::npos)
         << found[0].message;
     EXPECT_NE(found[0].message.find("expected at most 4000000"), std::string::npos);
   }
-  EXPECT_EQ(called_again("call_tick = 69\n")[0].line, 11u);
-  EXPECT_EQ(called_again("call_tick = 0\n")[0].line, 7u) << "with which there are too many";
+  EXPECT_EQ(called_again("call_tick = 159\n")[0].line, 11u);
+  EXPECT_EQ(called_again("call_tick = 41\n")[0].line, 7u) << "with which there are too many";
   write("effects/burst.toml",
         "name = 'B'\noff_screen = 'pause'\n[[emitter]]\nname = 'e'\n"
         "spawn = {bursts = [[0, 2500000]], life = 60}\nlook.opacity = 1\n");
