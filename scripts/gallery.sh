@@ -15,10 +15,11 @@ scripts/build.sh plume
 work=out/gallery
 mkdir -p "$work/tiles"
 
-# How to see an effect: tick since its call, distance of the camera, its height and that of what it looks at, height of the effect's origin.
+# How to see an effect: tick since its call, distance of the camera, its height and that of what it looks at, height of the effect's origin,
+# degrees that it is turned by (0 if left out).
 declare -A view=(
   [campfire]="300 3.2 1.1 0.7 0" [dust]="90 5.5 1.4 0.7 0" [explosion_ground]="45 14 2.4 2.8 0" [fireball]="50 10 2.6 2.6 0"
-  [ground_mist]="660 11 2.2 0.8 0" [heat_haze]="300 4.5 1.5 1.0 0" [muzzle_flash]="21 2.4 1.45 1.35 1.35" [tracer]="25 26 2.4 1.8 1.2"
+  [ground_mist]="660 11 2.2 0.8 0" [heat_haze]="300 4.5 1.5 1.0 0" [muzzle_flash]="21 2.4 1.45 1.35 1.35" [tracer]="25 9 1.9 1.6 1.2 60"
   [layered_fireball]="62 8 2.4 1.5 0" [marker]="60 3.4 1.7 1.7 1.95" [rust_smoke]="420 7 2.3 1.5 0" [signal_smoke]="330 8 2.8 2.0 0"
   [rain]="200 7 1.7 1.5 0" [steam]="200 6 1.7 1.3 0" [fog_bank]="2500 14 2.0 1.0 0" [glass_shatter]="22 4.5 1.5 1.1 0"
   [smoke_grenade]="430 9 2.6 1.7 0" [sparks]="240 5 1.6 1.0 0.8" [teal_smoke]="420 7 2.3 1.5 0"
@@ -60,7 +61,7 @@ draw_gallery_scenes() {
   sheet gallery_scenes.jpg 4
 }
 
-stage() {   # EFFECT TICK DISTANCE CAMERA TARGET ORIGIN: a scene that shows one effect
+stage() {   # EFFECT TICK DISTANCE CAMERA TARGET ORIGIN [YAW]: a scene that shows one effect
   cat <<END
 name = "$1"
 duration_ticks = 3600
@@ -72,7 +73,7 @@ solid = [
   { kind = "plane", size_m = [200.0, 200.0], material = "concrete", color = [0.17, 0.165, 0.16] },
   { kind = "figure", position = [$(awk "BEGIN { print -0.3 * $3 }"), 0.0, -0.4], yaw_deg = 40.0, height_m = 1.78, color = [0.06, 0.06, 0.065] },
 ]
-instance = [{ effect = "$1", call_tick = 0, position = [0.0, $6, 0.0], seed = 7 }]
+instance = [{ effect = "$1", call_tick = 0, position = [0.0, $6, 0.0], yaw_deg = ${7:-0.0}, seed = 7 }]
 END
 }
 
