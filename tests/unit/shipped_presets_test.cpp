@@ -1,6 +1,8 @@
 // What we ship must read without a word, and name only what we ship.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "sandbox/effects/spawn_schedule.h"
 #include "sandbox/presets/check.h"
 #include "sandbox/presets/diagnostics.h"
@@ -26,12 +28,14 @@ uint64_t living_at_least(const Spawn& spawn, uint32_t tick) {
   return schedule.births(tick) - (tick < shortest ? 0 : schedule.births(tick - shortest));
 }
 
-TEST(ShippedPresets, EverythingIsTwentyFourInstancesAndTwoHundredThousandParticles) {
+TEST(ShippedPresets, EverythingIsTwentyFourInstancesOfEveryEffectAndTwoHundredThousandParticles) {
   const PresetLibrary library(PLUME_SOURCE_PRESETS);
   const Scene scene = library.scene("everything");
   EXPECT_EQ(scene.instances.size(), 24u);
   uint64_t living = 0;
+  std::set<std::string> effects;
   for (const Instance& instance : scene.instances) {
+    effects.insert(instance.effect);
     ASSERT_TRUE(instance.call_tick && *instance.call_tick <= scene.default_tick) << instance.name;
     uint64_t of_instance = 0;
     for (const Emitter& emitter : library.effect(instance.effect).emitters)
@@ -40,6 +44,7 @@ TEST(ShippedPresets, EverythingIsTwentyFourInstancesAndTwoHundredThousandParticl
     living += of_instance;
   }
   EXPECT_GE(living, 200'000u);
+  for (const std::string& id : library.ids(PresetKind::kEffect)) EXPECT_TRUE(effects.contains(id)) << id;
 }
 
 }  // namespace
