@@ -283,7 +283,8 @@ TEST_F(LightingTest, NoLightIsMade) {
 TEST_F(LightingTest, EveryRoadToATickGivesTheSameBits) {
   std::vector<Emitter> emitters;
   for (const char* id : {"smoke_grenade", "fireball"})
-    for (Emitter e : library.effect(id).emitters) emitters.push_back(e), emitters.back().name += id;
+    for (const Emitter& e : library.effect(id).emitters)
+      if (e.look.meshes.empty()) emitters.push_back(e), emitters.back().name += id;
   const Lit sought = light(emitters, {}, 45), again = light(emitters, {}, 45),
             stepped = light(emitters, {}, 45, {}, true);
   const auto same = [](const auto& a, const auto& b) {
