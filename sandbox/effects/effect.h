@@ -188,6 +188,7 @@ struct Look {
   Gradient emission{glm::vec3(0.0f)};     ///< linear radiance of a fully dense texel
   bool lit = true;                        ///< albedo is lit by sun and sky; otherwise it is radiance itself
   float feather_m = 0.0f;                 ///< z-feather: fades over this distance in front of opaque surfaces
+  float near_fade_m = 0.0f;               ///< thins nearer than this to the camera; not what bends
   glm::vec3 transmission{0.0f};           ///< share of light that passes where covered: coloured smoke
   float diffusion_deg = 0.0f;             ///< standard deviation of the angle by which that is scattered
   float distortion_deg = 0.0f;   ///< bends what is seen through it at full slope; it then shows nothing else

@@ -124,6 +124,7 @@ shared::EmitterData emitter_data(const Call& call, uint32_t index, uint32_t scen
           .radius_scale_max = look.radius_scale.max,
           .cross_section = look.cross_section_m2.value_or(0.0f),
           .inv_feather = inverse_or_zero(look.feather_m),
+          .inv_near_fade = inverse_or_zero(look.near_fade_m),
           .camera_offset = camera_offset_m(call, emitter),
           .frames_per_tick = look.flipbook_fps / float(kTicksPerSecond),
           .spin_min = glm::radians(look.spin_deg_s.min),

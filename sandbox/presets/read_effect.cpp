@@ -141,6 +141,7 @@ void read_coverage(TableReader& look, const std::vector<Layer>& layers, Look& ou
   look.exactly_one("cross_section_m2", "opacity");
   look.curve("fade", out.fade, {0, 100});
   look.number("feather_m", out.feather_m, {0, 100, "m"});
+  look.number("near_fade_m", out.near_fade_m, {0, 1000, "m"});
   look.vector("transmission", out.transmission, kShare);
   look.number("diffusion_deg", out.diffusion_deg, {0, 45, "degrees"});
   look.number("camera_offset_m", out.camera_offset_m, kCameraOffset);

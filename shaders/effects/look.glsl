@@ -47,15 +47,23 @@ float offset_scale(EmitterData e, float depth, float near_m) {
   return clamp((depth - e.camera_offset) / depth, 2.0 * near_m / depth, 1e3);
 }
 
-// In the full light of sun and sky: see effects/light_cards.comp for what is left of it. Sets the layer flag too.
+// What is left of a card near the camera. Its width on the screen grows as 1 / distance, its share of light falls as much.
+float near_share(EmitterData e, vec3 place, ViewData view) {
+  return e.inv_near_fade > 0.0 ? min(distance(place, view.camera) * e.inv_near_fade, 1.0) : 1.0;
+}
+
+// In the full light of sun and sky: see effects/light_cards.comp for what is left of it. Sets the layer flag too, and thins what is near:
+// centre and optical depth come first.
 void set_colors(inout Card card, EmitterData e, uint emitter, Look look, ViewData view, float blend) {
   const bool lit = (e.flags & kEmitterLit) != 0u;
   const vec3 color = curve(emitter, 1u, look.life).rgb;
+  const float share = near_share(e, card.center, view);
+  card.optical_depth *= share;
   card.inv_feather = e.inv_feather;
   card.layers |= (e.flags & kEmitterSetApart) != 0u ? kCardSetApart : 0u;
   card.sunlit = pack_half4(vec4(lit ? color * view.sun_color : vec3(0.0), blend));
   card.ambient = pack_half4(vec4(lit ? color * sky_light(view) : color, 0.0));
-  card.emission = pack_half4(vec4(curve(emitter, 2u, look.life).rgb * look.fade, 0.0));
+  card.emission = pack_half4(vec4(curve(emitter, 2u, look.life).rgb * (look.fade * share), 0.0));
   card.transmission = pack_half4(vec4(e.transmission, e.diffusion));
 }
 

@@ -113,6 +113,7 @@ struct EmitterData {
   float radius_scale_max;
   float cross_section;  // m^2; 0 = the alpha curve holds
   float inv_feather;
+  float inv_near_fade;  // 1/m; 0: none
   float camera_offset;
   float frames_per_tick;  // flipbook
   float spin_min;         // rad/s

@@ -267,6 +267,38 @@ TEST_F(MotionTest, AGrowingPuffThinsAsItsCrossSectionSays) {
   }
 }
 
+TEST_F(MotionTest, ANearFadeThinsByTheDistanceToTheCamera) {
+  // Coverage and light fall in one proportion, and nothing changes beyond.
+  Scene scene;
+  scene.camera = {{.tick = 0, .position = {0, 0, 0}, .target = {0, 0, -10}, .vertical_fov_deg = 50}};
+  const auto view =
+      gpu::make_buffer(device, "test", "view", std::vector{make_view(scene, scene.camera[0], {64, 36}, 0)});
+  const auto card_at = [&](glm::vec3 position, float near_fade) {
+    Emitter e = emitter(1);
+    e.look.radius_m = Curve(0.05f);
+    e.look.emission = Gradient(glm::vec3(8, 4, 2));
+    e.look.near_fade_m = near_fade;
+    const Effect effect{.id = "test", .name = "", .description = "", .emitters = {e}};
+    Simulation simulation(
+        device, pipelines,
+        {{.name = "test", .effect = &effect, .tick = 0, .position = position, .yaw_deg = 0, .seed = 1}}, 1,
+        {});
+    simulation.seek(0);
+    const gpu::Buffer cards(device, {.owner = "test", .label = "cards", .bytes = sizeof(shared::Card)});
+    gpu::Frame frame(device, pipelines);
+    frame.pass("cards", [&](gpu::Pass& pass) { simulation.record_cards(pass, view, cards, 0); });
+    frame.finish();
+    return gpu::read<shared::Card>(device, cards)[0];
+  };
+  for (const glm::vec3 position : {glm::vec3(0, 0, -0.5f), {1.5f, -0.5f, -2}, {0, 0, -4}, {3, 1, -30}}) {
+    const shared::Card whole = card_at(position, 0), faded = card_at(position, 4);
+    const float share = std::min(glm::length(position) / 4.0f, 1.0f);
+    EXPECT_NEAR(share, faded.optical_depth / whole.optical_depth, 1e-6);
+    EXPECT_NEAR(8 * share, glm::unpackHalf2x16(faded.emission.x).x, 8.0f / 2048);
+    EXPECT_EQ(whole.axis_u, faded.axis_u);
+  }
+}
+
 TEST_F(MotionTest, TheSmokeGrenadeIs512PuffsIn45Seconds) {
   const Effect effect = library.effect("smoke_grenade");
   ASSERT_EQ(1u, effect.emitters.size());

@@ -55,6 +55,7 @@ lit = true
 color = [0.5, 0.6, 0.7]
 emission = [[0, [9, 4, 1]], [0.3, [0, 0, 0]]]
 feather_m = 0.3
+near_fade_m = 2.5
 camera_offset_m = 1.5
 flipbook_fps = 12
 diffusion_deg = 1.5
@@ -150,6 +151,7 @@ TEST(EffectReader, ReadsEveryKey) {
   EXPECT_EQ(body.look.color.at(1), glm::vec3(0.5f, 0.6f, 0.7f));
   EXPECT_EQ(body.look.emission.at(0), glm::vec3(9, 4, 1));
   EXPECT_EQ(body.look.feather_m, 0.3f);
+  EXPECT_EQ(body.look.near_fade_m, 2.5f);
   EXPECT_EQ(body.look.camera_offset_m, 1.5f);
   EXPECT_EQ(body.look.flipbook_fps, 12.0f);
   EXPECT_EQ(body.look.diffusion_deg, 1.5f);
