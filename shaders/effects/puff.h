@@ -16,6 +16,8 @@ const uint kSolidLayer = kDiscLayer + 2u;
 const uint kBandLayer = kDiscLayer + 3u;
 const uint kPuffLayers = kDiscLayer + 4u;
 
+const float kMeanOpenness = 0.8f;  // of puffs: 1 on hills, less in creases
+
 const uint kTexturePuff = 0u;  // TextureKind
 const uint kTextureDisc = 1u;
 const uint kTextureSoft = 2u;

@@ -28,7 +28,7 @@ vec4 puff_texel(ivec2 p, vec2 uv, uint layer, float mean) {
   const vec3 bump = normalize(vec3(-slope, 1.2));
   const vec3 sphere = vec3(uv, sqrt(max(1.0 - dot(uv, uv), 0.0)));
   const vec3 normal = normalize(mix(sphere, bump, 0.75));
-  const float openness = clamp(0.8 + 2.0 * (height_at(p, layer) - around), 0.35, 1.0);
+  const float openness = clamp(kMeanOpenness + 2.0 * (height_at(p, layer) - around), 0.35, 1.0);
   return vec4(tau / mean / kTextureDepth, normal.xy * 0.5 + 0.5, openness);
 }
 

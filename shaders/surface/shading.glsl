@@ -7,6 +7,7 @@
 #ifndef PLUME_SURFACE_SHADING_GLSL
 #define PLUME_SURFACE_SHADING_GLSL
 
+#include "effects/puff.h"
 #include "surface/texture_depth.h"
 #include "shared/view.h"
 
@@ -49,19 +50,31 @@ float gray_coverage(Fragment f) { return f.coverage * (1.0 - dot(f.transmission,
 
 vec3 transmittance(Fragment f) { return 1.0 - f.coverage * (1.0 - f.transmission); }
 
+const float kHottest = 1.8;
+const float kForwardLobe = 0.4;   // mean cosine of what is scattered once
+
+// Henyey and Greenstein's phase function, relative to that across the light; light from before is as light from the side.
+float forward_gain(float cosine) {
+  const float g = kForwardLobe, all = 1.0 + g * g, x = all / (all - 2.0 * g * max(cosine, 0.0));
+  return x * sqrt(x);
+}
+
 Fragment shade_texel(vec4 texel, float density_here) {
   const vec2 slope = texel.gb * 2.0 - 1.0;
   const vec3 normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
   const float wrap = clamp(dot(normal, v_light) * 0.5 + 0.5, 0.0, 1.0);
-  // Where the puff is thin, light comes from all around: no side is dark, so no puff has an outline.
-  const float sun = mix(0.45, wrap * wrap, 1.0 - exp(-2.0 * density_here));
+  // Where the puff is thin, light comes from all around: no side is dark, so no puff has an outline. It goes on mostly forwards: against
+  // the light an edge shines.
+  const float sun = mix(0.45 * forward_gain(-v_light.z), wrap * wrap, 1.0 - exp(-2.0 * density_here));
   Fragment f;
   f.optical_depth = v_ambient.a * density_here;
   f.coverage = 1.0 - exp(-f.optical_depth);
   f.color = f.coverage * (v_sunlit.rgb * sun + v_ambient.rgb * texel.a);
-  // Thick parts and creases are hotter: green and blue rise faster than red. At the mean depth it is the colour as written;
-  // 1.8 cubed times the brightest radiance a preset may ask for (10 000) still fits a half float.
-  const float heat = min((2.0 - texel.a) * 2.0 * density_here / (1.0 + density_here), 1.8);
+  // Thick parts and creases are hotter: green and blue rise faster than red. At the mean depth and openness it is the colour as written;
+  // kHottest cubed times the brightest radiance a preset may ask for (10 000) still fits a half float.
+  const float openness = v_layers_id.x < kDiscLayer ? texel.a : kMeanOpenness;
+  const float hot = (1.0 + 3.0 * (kMeanOpenness - openness)) * 2.0 * density_here / (1.0 + density_here);
+  const float heat = kHottest * hot / (hot + kHottest - 1.0);
   f.emission = v_emission.rgb * heat * vec3(1.0, heat, heat * heat);
   f.transmission = v_transmission.rgb;
   f.depth = v_uv_depth.z;
