@@ -66,9 +66,9 @@ stage() {   # EFFECT TICK DISTANCE CAMERA TARGET ORIGIN [YAW]: a scene that show
 name = "$1"
 duration_ticks = 3600
 default_tick = $2
-exposure = 0.8
+exposure = 0.7
 camera = { position = [0.0, $4, $3], target = [0.0, $5, 0.0], vertical_fov_deg = 36.0 }
-light = { zenith = [0.1, 0.13, 0.2], horizon = [0.3, 0.28, 0.27], sun_direction = [-0.7, 0.55, 0.45], sun_color = [1.5, 1.25, 1.0] }
+light = { zenith = [0.08, 0.105, 0.165], horizon = [0.26, 0.243, 0.235], sun_direction = [-0.85, 0.55, 0.12], sun_color = [2.0, 1.6, 1.2] }
 solid = [
   { kind = "plane", size_m = [200.0, 200.0], material = "concrete", color = [0.17, 0.165, 0.16] },
   { kind = "figure", position = [$(awk "BEGIN { print -0.3 * $3 }"), 0.0, -0.4], yaw_deg = 40.0, height_m = 1.78, color = [0.06, 0.06, 0.065] },
