@@ -1,6 +1,6 @@
 // AVBOIT on cards that are put where a test wants them, stage by stage or the whole method, and what each
-// stage leaves behind, on the host. Card textures are flat, of density 1, in every layer: a card of layer 0
-// is a smooth one, one of kSolidLayer a sharp one, and both cover evenly.
+// stage leaves behind, on the host. Card textures are flat, of density 1, in every layer: a card of
+// kSoftLayer is a smooth one, one of kSolidLayer a sharp one, and both cover evenly.
 #ifndef PLUME_TESTS_AVBOIT_SCENE_H
 #define PLUME_TESTS_AVBOIT_SCENE_H
 
@@ -45,7 +45,7 @@ struct SmallCard {
   glm::vec2 half_size{1000.0f};  ///< m
   glm::vec2 at{0.0f};            ///< of its middle, m right and up
   float yaw = 0.0f, pitch = 0.0f;
-  uint32_t layer = 0;
+  uint32_t layer = shared::kSoftLayer;  ///< no puff: it glows as it says, whatever its texel's openness
   bool apart = false;
 };
 
