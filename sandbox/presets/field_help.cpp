@@ -125,6 +125,8 @@ constexpr FieldHelp kHelp[] = {
      "How much smoke is in one puff. It thins by itself as the puff grows, as real smoke does."},
     {"emitter.look.opacity", "How much it hides over life, whatever its size.", "0.8"},
     {"emitter.look.fade", "Times how thick it is, over life: to let it come and go softly."},
+    {"emitter.look.near_fade_m",
+     "Thins what comes nearer to the camera than this, so that nothing flares up in its face."},
     {"emitter.look.feather_m",
      "Fades within this distance of solid things, so that no edge shows where they meet."},
     {"emitter.look.transmission",

@@ -63,7 +63,7 @@ inline CameraKey look(CameraKey camera, glm::vec2 degrees) {
   CameraKey turned = camera;
   turned.position = camera.position + arm;  // as seen from the target, the eye turns the other way
   turned.target = camera.position;
-  turned = orbit(turned, {degrees.x, -degrees.y});
+  turned = orbit(turned, degrees);
   camera.target = turned.position;
   return camera;
 }

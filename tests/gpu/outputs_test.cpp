@@ -6,6 +6,7 @@
 
 #include "sandbox/scene/opaque.h"
 #include "sandbox/scene/view.h"
+#include "shaders/effects/puff.h"
 #include "shaders/shared/card.h"
 #include "tests/gpu/gpu_test.h"
 
@@ -237,6 +238,7 @@ TEST_P(OutputsOf, DepthIsTheMeanOfWhatIsSeenAndItsWeightIsWhatCovers) {
 TEST_P(OutputsOf, AGlowWithoutCoverageHasADepthToo) {
   shared::Card glow = card(5, 20, 0);
   glow.emission = {glm::packHalf2x16({2, 2}), glm::packHalf2x16({2, 0})};
+  glow.layers = shared::kSoftLayer | shared::kSoftLayer << shared::kLayerBits;  // which glows as it says
   const glm::vec3 t =
       middle(draw_cards(GetParam(), {.scalar = {glow}, .haze = {}}, {.surface = true, .lens = {}}).surface);
   EXPECT_NEAR(2.0, t.y, 0.01);

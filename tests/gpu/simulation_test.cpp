@@ -32,8 +32,8 @@ TEST_F(SimulationTest, SteppingAndSeekingGiveTheSameBitsForEveryShippedEffect) {
   for (const std::string& id : library.ids(PresetKind::kEffect)) {
     const Effect effect = library.effect(id);
     std::vector<uint32_t> ticks;
-    std::uniform_int_distribution<uint32_t> any(0, std::min(last_tick(effect) + 20, 1500u));
-    for (int i = 0; i < 20; ++i) ticks.push_back(any(random));
+    std::uniform_int_distribution<uint32_t> any(0, std::min(last_tick(effect) + 20, 1000u));
+    for (int i = 0; i < 14; ++i) ticks.push_back(any(random));
     std::ranges::sort(ticks);
 
     Simulation stepped = simulate(effect), sought = simulate(effect);
@@ -48,7 +48,10 @@ TEST_F(SimulationTest, SteppingAndSeekingGiveTheSameBitsForEveryShippedEffect) {
           << id << " at tick " << tick;
       compared += a.size();
     }
-    EXPECT_GT(compared, 1000u) << id << " was hardly compared";
+    if (std::ranges::any_of(effect.emitters, [](const Emitter& e) { return !e.motion.analytic; }))
+      EXPECT_GT(compared, 500u) << id << " was hardly compared";
+    else
+      EXPECT_EQ(compared, 0u) << id << " has no states";
   }
 }
 
