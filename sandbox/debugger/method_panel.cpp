@@ -98,7 +98,10 @@ void describe_side(Workspace& workspace, Side& side) {
   ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.45f);
   ParameterWidgets widgets;
   side.method().method->visit(widgets);
-  if (widgets.changed()) workspace.change();
+  if (widgets.changed()) {
+    side.timings.clear();
+    workspace.change();
+  }
   ImGui::PopItemWidth();
   ImGui::PopID();
   ImGui::PopID();

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "sandbox/debugger/accuracy_graph.h"
+#include "sandbox/debugger/history_graph.h"
 #include "sandbox/debugger/widgets.h"
 
 namespace plume {
@@ -13,15 +15,15 @@ std::string mebibytes(uint64_t bytes) {
 }
 
 void describe_passes(const TimingHistory& history) {
-  if (!ImGui::BeginTable("passes", 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
+  if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("pass");
-  ImGui::TableSetupColumn("last, ms");
-  ImGui::TableSetupColumn(fmt::format("median of {}###median", history.frames()).c_str());
+  ImGui::TableSetupColumn("now");
+  ImGui::TableSetupColumn("median");
+  ImGui::TableSetupColumn("p95, ms");
   ImGui::TableHeadersRow();
   for (const TimingHistory::Row& row : history.rows()) {
     cell(row.name);
-    cell(fmt::format("{:9.2f}", row.last_ms));
-    cell(fmt::format("{:9.2f}", row.median_ms));
+    for (const double ms : {row.last_ms, row.median_ms, row.p95_ms}) cell(fmt::format("{:.1f}", ms));
   }
   ImGui::EndTable();
 }
@@ -49,11 +51,23 @@ void timings_panel(Interface& interface) {
     if (!workspace.shows(*side)) continue;
     ImGui::PushID(side);
     text(side->method().owner);
+    history_graph(side->timings);
     describe_passes(side->timings);
+    if (ImGui::SmallButton("copy CSV")) ImGui::SetClipboardText(side->timings.csv().c_str());
+    tooltip("A line a frame, a column a pass.");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("copy JSON")) ImGui::SetClipboardText(side->timings.json().c_str());
+    ImGui::SameLine();
+    text(fmt::format("{} frames", side->timings.frames()));
     ImGui::PopID();
   }
   ImGui::Checkbox("measure while paused", &workspace.always_draw);
   tooltip("A paused picture is drawn once; with this, again and again, so that the median means something.");
+  ImGui::Checkbox("compare with the reference", &workspace.compares);
+  tooltip(
+      "When the picture stands still, measures each method that is shown against the exact one, and gathers "
+      "what they cost and how far they are off. It starts anew with another picture.");
+  if (workspace.compares) accuracy_graph(workspace.accuracy(), workspace.a.method());
   describe_memory(workspace.device().memory());
 }
 

@@ -38,7 +38,10 @@ void Viewer::run(uint32_t frames) {
     window_.set_full_screen(interface_.full_screen);
     if (window_.closing() || window_.size() == glm::uvec2(0)) continue;  // size 0: minimised
 
-    if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) draw();
+    if (workspace_.advance(now_s()) || drawn_for_ != picture_area())
+      draw();
+    else if (workspace_.compares && !workspace_.playback.playing() && !dragging_)
+      workspace_.measure_accuracy();
     if (show()) ++shown;
   }
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "renderer/methods/methods.h"
+#include "sandbox/measure/picture.h"
 #include "sandbox/presets/read_scene.h"
 
 namespace plume {
@@ -39,6 +40,7 @@ void Workspace::open_scene(const std::string& id) {
     throw FileErrors(std::move(unknown));
   const Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
   stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene));
+  ++scene_version_;
   playback = from;
   camera_.reset();
   for (Side* side : {&a, &b}) {
@@ -52,6 +54,7 @@ void Workspace::change_scene(const std::function<void(Scene&)>& how) {
   Scene scene = stage_->scene();
   how(scene);
   stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene));
+  ++scene_version_;
   for (Side* side : {&a, &b}) side->targets.reset();
   change();
 }
@@ -102,11 +105,37 @@ bool Workspace::advance(double now_s) {
 void Workspace::draw(glm::uvec2 area) {
   const auto start = std::chrono::steady_clock::now();
   const glm::uvec2 size = resolution.picture_size(area);
+  const CameraKey eye = camera();
+  const PictureKey key{.scene = scene_version_,
+                       .tick = playback.tick(),
+                       .position = eye.position,
+                       .target = eye.target,
+                       .fov = eye.vertical_fov_deg,
+                       .size = size};
+  if (key != key_) accuracy_.clear();
+  key_ = key;
   const auto simulation = stage_->go_to(playback.tick(), size, camera_);
   for (Side* side : {&a, &b})
     if (shows(*side)) draw_side(*side, size, simulation);
   outdated_ = false;
   frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool Workspace::measure_accuracy() {
+  bool measured = false;
+  for (Side* side : {&a, &b}) {
+    if (outdated_ || !shows(*side) || !side->targets || accuracy_.has(side->method())) continue;
+    measured = true;
+    const DrawnPicture picture = read_picture(device_, *side->targets);
+    if (!accuracy_.has_reference()) {
+      MethodInstance reference{.method = make_method("reference"), .owner = "ground truth", .resources = {}};
+      render_frame(device_, pipelines_, *side->targets, stage_->prelude(), stage_->transparents(), reference);
+      accuracy_.set_reference(read_picture(device_, *side->targets));
+      outdated_ = true;  // the side's images hold the reference now
+    }
+    accuracy_.add(side->method(), picture, side->report.transparency_ms);
+  }
+  return measured;
 }
 
 void Workspace::draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation) {

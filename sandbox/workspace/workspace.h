@@ -8,6 +8,7 @@
 
 #include "sandbox/measure/timing_history.h"
 #include "sandbox/scene/stage.h"
+#include "sandbox/workspace/accuracy_log.h"
 #include "sandbox/workspace/playback.h"
 #include "sandbox/workspace/resolution_control.h"
 
@@ -65,6 +66,10 @@ class Workspace {
   bool is_outdated() const { return outdated_; }
   /// Draws what is shown in an area of so many pixels.
   void draw(glm::uvec2 area);
+  /// Draws the reference of the picture that is shown, unless that was done, and measures the methods that
+  /// are shown against it, unless they were. Returns whether there was anything to do.
+  bool measure_accuracy();
+  const AccuracyLog& accuracy() const { return accuracy_; }
   /// Notes the time that has passed: plays. True when the picture must be drawn.
   bool advance(double now_s);
   /// Wall time of the last drawing.
@@ -74,10 +79,20 @@ class Workspace {
   Playback playback;
   ResolutionControl resolution;
   float divider = 0.5f;      ///< share of the picture's width that is A's
+  bool compares = false;     ///< measures what is shown against the reference when it stands still
   bool always_draw = false;  ///< draws though nothing changed, so that times mean something
   std::string problem;       ///< what last went wrong, for the user to read; empty: nothing
 
  private:
+  /// All that a picture depends on but the method.
+  struct PictureKey {
+    uint64_t scene = 0;  // counts scenes and their changes
+    uint32_t tick = 0;
+    glm::vec3 position{0}, target{0};
+    float fov = 0;
+    glm::uvec2 size{0};
+    bool operator==(const PictureKey&) const = default;
+  };
   void draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation);
 
   gpu::Device& device_;
@@ -85,6 +100,9 @@ class Workspace {
   const PresetLibrary& library_;
   std::unique_ptr<Stage> stage_;
   std::optional<CameraKey> camera_;  // nothing: the scene's own
+  AccuracyLog accuracy_;
+  PictureKey key_;  // of the last drawing
+  uint64_t scene_version_ = 0;
   Comparison comparison_ = Comparison::kNone;
   bool outdated_ = true;
   double frame_ms_ = 0;  // that drawing took last
