@@ -51,6 +51,7 @@ std::optional<PassGroup> group_of(std::string_view pass) {
       {"blend", kDraws},
       {"outputs", kDraws},
       {"surface", kDraws},
+      {"distortion", kDraws},
       {"composite", kResolve},
       {"resolve", kResolve},
       {"refract", kResolve},
