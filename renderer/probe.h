@@ -1,21 +1,24 @@
-// What a method believes of one pixel: the transmittance in front of any depth there, as the frame just drawn
-// used it.
+// What a method believes of one pixel: the transmittance in front of any depth there, as the frame that was
+// drawn used it.
 #ifndef PLUME_RENDERER_PROBE_H
 #define PLUME_RENDERER_PROBE_H
 
 #include "renderer/methods/method.h"
+#include "shaders/probe/probe.h"
 
 namespace plume {
 
-/// Where, and what is asked. The buffers hold a shared::ProbeQuery with the depths, and a vec3 for each
-/// depth.
+/// Where, and what is asked. The buffers hold a shared::ProbeQuery with the points, and a vec3 for each
+/// point.
 struct Probe {
   glm::uvec2 pixel;
-  std::vector<float> depths;    ///< view depths, m
+  std::vector<shared::ProbedPoint> points;
   gpu::Buffer query, answer{};  ///< on the device
 
-  Probe(gpu::Device& device, glm::uvec2 pixel, std::vector<float> depths);
-  /// Transmittance of each channel in front of each depth. Waits for the device.
+  Probe(gpu::Device& device, glm::uvec2 pixel, std::span<const shared::ProbedPoint> points);
+  /// Of a bare light at each of these view depths, m.
+  Probe(gpu::Device& device, glm::uvec2 pixel, const std::vector<float>& depths);
+  /// Transmittance of each channel in front of each point. Waits for the device.
   std::vector<glm::vec3> read_answer(gpu::Device& device) const;
 };
 

@@ -35,6 +35,7 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
              .depth = style.depth_test,
              .depth_use = style.depth_test ? style.depth_use : gpu::DepthUse::kNone,
              .area = style.area,
+             .pixel = style.pixel,
              .constants = style.constants,
              .bindings = std::move(bindings),
              .vertices = 4,

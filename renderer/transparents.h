@@ -51,6 +51,7 @@ struct Transparents {
     const gpu::Image* opaque_depth =
         nullptr;  ///< what shade() feathers against, at the resolution of the draw
     gpu::Area area{0, 0};
+    std::optional<glm::uvec2> pixel;  ///< of the area: nothing else is drawn
     std::string vertex = "surface/card.vert";
     std::optional<Source> source;  ///< nothing: all cards
     gpu::Constants constants;

@@ -104,7 +104,8 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
                             .pDepthAttachment = draw.depth ? &depth : nullptr});
   commands_.setViewport(
       0, vk::Viewport{.width = float(draw.area.width), .height = float(draw.area.height), .maxDepth = 1.0f});
-  commands_.setScissor(0, area);
+  commands_.setScissor(
+      0, draw.pixel ? vk::Rect2D{{int32_t(draw.pixel->x), int32_t(draw.pixel->y)}, {1, 1}} : area);
   bind(pipeline, draw.bindings, push);
   if (draw.count_fragments) {
     if (counters_used_ == kMaxCounters) throw std::logic_error("a frame counts fragments in too many draws");

@@ -35,8 +35,9 @@ struct Draw {
   std::vector<Attachment> targets;
   const Image* depth = nullptr;
   DepthUse depth_use = DepthUse::kNone;
-  bool clear_depth = false;  ///< to "infinitely far", 0
-  Area area{0, 0};           ///< of viewport and scissor
+  bool clear_depth = false;         ///< to "infinitely far", 0
+  Area area{0, 0};                  ///< of viewport and scissor
+  std::optional<glm::uvec2> pixel;  ///< of the area: nothing else is drawn
   Constants constants;
   Bindings bindings;
   uint32_t vertices = 3, instances = 1;

@@ -89,6 +89,17 @@ struct Picture {
 
 struct Probe;
 
+/// View depths at one pixel, m, for people who look at its transmittance. Empty where a method has no such
+/// thing.
+struct DepthMarks {
+  struct Slice {
+    float begin, end;
+  };
+  std::vector<Slice> slices;        ///< that depth is cut into, front to back; empty space may lie between
+  std::optional<float> zero_m;      ///< behind it nothing is drawn: less than the zero transmittance is left
+  std::optional<float> overflow_m;  ///< where the first slice begins whose sum overflowed
+};
+
 /// What a reader of the method list wants to know before any picture.
 struct Traits {
   std::string_view title;
@@ -125,9 +136,15 @@ class Method {
   /// Records what can be done before opaque things are shaded; gives the depth that hides some of them.
   virtual const gpu::Image& prepare(const Picture& picture) { return picture.opaque_depth; }
   virtual void record(const Picture& picture) = 0;
-  /// After record(), in the same frame: answers what it believes of one pixel, with the functions and the
-  /// resources that the picture was drawn with. See renderer/probe.h.
+  /// After record(), in the same frame or in a later one before the next: answers what it believes of one
+  /// pixel, with the functions and the resources that the picture was drawn with. Writes none of them. See
+  /// renderer/probe.h.
   virtual void probe(const Picture& picture, const Probe& probe) const = 0;
+  /// Depths that mean something to it at one pixel of the picture that was drawn. May wait for the device.
+  virtual DepthMarks depth_marks(gpu::Device&, const Resources&, const Transparents&,
+                                 glm::uvec2 /*pixel*/) const {
+    return {};
+  }
   /// What the last frame tells of itself beyond its passes, name -> number; for reports. May wait for the
   /// device.
   virtual nlohmann::json statistics(gpu::Device&, const Resources&) const { return nlohmann::json::object(); }

@@ -1,5 +1,5 @@
-// What a probe asks: transmittance at one pixel, in front of each of `count` depths that follow in the
-// buffer.
+// What a probe asks of a method: transmittance at one pixel, in front of each of `count` points that follow
+// in the buffer. And what it finds there: every fragment of the pixel.
 #ifndef PLUME_PROBE_H
 #define PLUME_PROBE_H
 
@@ -7,10 +7,35 @@
 
 PLUME_SHARED_BEGIN
 
+const uint kBareLight = 0xffffffffu;  // instead of a card
+
 struct ProbeQuery {
   uvec2 pixel;
   uint count;
   uint padding;
+};
+
+// A bare light, of which nothing covers; or a fragment of the picture, whose own share a method may have to
+// take out of what it has summed.
+struct ProbedPoint {
+  float depth;         // view depth, m
+  uint card;           // of the fragment, or kBareLight
+  vec3 transmittance;  // of the fragment
+};
+
+struct ProbedFragment {
+  vec3 color;  // premultiplied by coverage
+  float coverage;
+  vec3 emission;
+  float depth;         // view depth, m
+  vec3 transmittance;  // of what lies behind
+  uint card;
+};
+
+// Before the fragments.
+struct ProbedCount {
+  uint count;  // found: beyond `capacity` they were counted, not stored
+  uint capacity;
 };
 
 PLUME_SHARED_END

@@ -72,6 +72,12 @@ class Avboit final : public Method {
     avboit::record_probe(picture, *drawn_, probe);
   }
 
+  DepthMarks depth_marks(gpu::Device& device, const Resources& resources, const Transparents& transparents,
+                         glm::uvec2 pixel) const override {
+    if (!drawn_) return {};
+    return avboit::depth_marks(device, resources, *drawn_, transparents, pixel);
+  }
+
  private:
   avboit::Settings settings_;
   std::optional<avboit::Plan> drawn_;  // of the last frame

@@ -95,6 +95,9 @@ void record_outputs(const Picture& picture, const Plan& plan);
 
 /// probe: what the frame believes of one pixel.
 void record_probe(const Picture& picture, const Plan& plan, const Probe& probe);
+/// Slices, zero-transmittance depth and first overflow at a pixel. Waits for the device.
+DepthMarks depth_marks(gpu::Device& device, const Resources& resources, const Plan& plan,
+                       const Transparents& transparents, glm::uvec2 pixel);
 
 }  // namespace plume::avboit
 #endif

@@ -11,7 +11,7 @@ void record_probe(const Picture& picture, const Plan& plan, const Probe& probe) 
   const bool each_channel = plan.colour() == Colour::kRgb;
   probe_with(picture, probe, "methods/avboit/probe.comp",
              {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, plan.rgb && each_channel ? 1u : 0u,
-              s.sparse ? 1u : 0u, each_channel ? 1u : 0u},
+              s.sparse ? 1u : 0u, each_channel ? 1u : 0u, 0u, 0u, 0u, s.lane_bits()},
              std::move(bindings));
 }
 

@@ -37,16 +37,6 @@ shared::FragmentPool pool(gpu::Device& device, const Resources& resources) {
   return gpu::read<shared::FragmentPool>(device, resources.buffer("pool"))[0];
 }
 
-std::vector<shared::FragmentNode> fragments_at(gpu::Device& device, const Resources& resources,
-                                               glm::uvec2 size, glm::uvec2 pixel) {
-  const auto heads = gpu::read<uint32_t>(device, resources.buffer("heads"));
-  const auto nodes = gpu::read<shared::FragmentNode>(device, resources.buffer("nodes"));
-  std::vector<shared::FragmentNode> fragments;
-  for (uint32_t node = heads[pixel.y * size.x + pixel.x]; node != shared::kListEnd; node = nodes[node].next)
-    fragments.push_back(nodes[node]);
-  return fragments;
-}
-
 bool grow(gpu::Device& device, const Resources& resources, uint32_t& capacity) {
   const shared::FragmentPool last = pool(device, resources);
   if (last.count <= last.capacity) return false;

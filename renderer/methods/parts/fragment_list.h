@@ -24,9 +24,5 @@ shared::FragmentPool pool(gpu::Device& device, const Resources& resources);
 /// For Method::must_redraw(): true when the lists overflowed; then the capacity has grown to hold them.
 bool grow(gpu::Device& device, const Resources& resources, uint32_t& capacity);
 
-/// The fragments of one pixel of a picture of `size`, in the order of its list: after sorting, front to back.
-std::vector<shared::FragmentNode> fragments_at(gpu::Device& device, const Resources& resources,
-                                               glm::uvec2 size, glm::uvec2 pixel);
-
 }  // namespace plume::fragment_list
 #endif

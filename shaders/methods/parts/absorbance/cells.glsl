@@ -12,7 +12,14 @@ layout(constant_id = 3) const uint kExcludeSelf = 1u;
 layout(constant_id = 4) const float kNear = 0.0;       // m, of the scene's range; 0: the view's
 layout(constant_id = 5) const float kFar = 0.0;
 
+const float kLeastTransmittance = 1.1e-7;   // e^-16: an opaque fragment counts as much
 const float kBehind = 2.0;   // the place of what lies behind everything in its cell
+
+// Of a fragment that lets so much pass, in the channels that are kept.
+vec3 absorbance_of(vec3 transmittance) {
+  const vec3 passed = kChannels == 3u ? transmittance : vec3(dot(transmittance, vec3(1.0 / 3.0)));
+  return -log(clamp(passed, vec3(kLeastTransmittance), vec3(1.0)));
+}
 
 vec2 scene_range() {
   const float near = kNear > 0.0 ? kNear : view.near_m;

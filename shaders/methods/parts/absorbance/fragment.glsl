@@ -4,8 +4,6 @@
 #include "surface/shade.glsl"
 #include "methods/parts/absorbance/cells.glsl"
 
-const float kLeastTransmittance = 1.1e-7;   // e^-16: an opaque fragment counts as much
-
 vec3 passed_by(Fragment f) {
   const vec3 t = f.transmission + (1.0 - f.transmission) * exp(-f.optical_depth);
   return kChannels == 3u ? t : vec3(dot(t, vec3(1.0 / 3.0)));
