@@ -11,7 +11,9 @@ namespace plume {
 namespace {
 
 struct OpenFlags : DrawFlags {
-  std::string scene = "street", screenshot;
+  std::string scene = "street", screenshot, dump;
+  std::vector<double> crosshair;
+  std::vector<std::string> crosshair_methods;
   std::optional<uint32_t> tick;
   uint32_t frames = 0;
 };
@@ -36,7 +38,10 @@ int run_open(const OpenFlags& flags) {
     Workspace workspace(session.device, session.pipelines, library, std::move(scene), playback);
     if (session.device.info().is_cpu) workspace.resolution.set_step(2);  // half, which a CPU can draw
     Viewer viewer(window, workspace);
+    if (!flags.crosshair.empty())
+      viewer.place_crosshair({flags.crosshair[0], flags.crosshair[1]}, flags.crosshair_methods);
     viewer.run(flags.frames);
+    if (!flags.dump.empty()) viewer.save_crosshair(flags.dump);
     if (!flags.screenshot.empty()) viewer.save_picture(flags.screenshot);
   }
   return report_validation(session.device);
@@ -83,6 +88,16 @@ void add_open(CLI::App& program, Run& run) {
       ->group(hidden);
   command->add_option("--screenshot", flags->screenshot, "PNG of the last picture, without panels")
       ->group(hidden);
+  command
+      ->add_option("--crosshair", flags->crosshair,
+                   "X,Y: place it there, in heights of the picture from its middle to the right and down")
+      ->delimiter(',')
+      ->expected(2)
+      ->group(hidden);
+  command->add_option("--crosshair-methods", flags->crosshair_methods, "ids of methods beside those shown")
+      ->delimiter(',')
+      ->group(hidden);
+  command->add_option("--dump", flags->dump, "JSON of what the crosshair shows at the end")->group(hidden);
   command->callback([flags, &run] { run = [flags] { return run_open(*flags); }; });
 }
 

@@ -2,7 +2,7 @@
 #ifndef PLUME_DEBUGGER_INTERFACE_H
 #define PLUME_DEBUGGER_INTERFACE_H
 
-#include "sandbox/workspace/workspace.h"
+#include "sandbox/workspace/crosshair.h"
 
 namespace plume {
 
@@ -11,8 +11,21 @@ struct Area {
   glm::vec2 corner, size;
 };
 
+/// How the crosshair's panel shows what it knows.
+struct DepthGraph {
+  bool logarithmic = true;
+  bool each_channel = false;       ///< otherwise the mean of the three
+  std::optional<size_t> fragment;  ///< that is pointed out
+};
+struct CrosshairView {
+  DepthGraph graph{};
+  size_t weights_of = 0;  ///< among the methods told: whose weights the table has
+};
+
 struct Interface {
   Workspace& workspace;
+  Crosshair crosshair{};
+  CrosshairView crosshair_view{};
 
   bool panels = true;  ///< otherwise the picture has the whole window
   bool help = false;   ///< the list of keys is open

@@ -27,6 +27,13 @@ void step(Workspace& workspace, int ticks) {
   if (workspace.playback.tick() != before) workspace.change();
 }
 
+/// Of an arrow: moves the crosshair, where one is placed.
+bool nudge(Interface& interface, glm::ivec2 pixels) {
+  if (!interface.crosshair.placed() || !interface.workspace.shown()) return false;
+  interface.crosshair.move(pixels, interface.workspace.shown()->size);
+  return true;
+}
+
 void go_to(Workspace& workspace, uint32_t tick) {
   workspace.playback.go_to(tick);
   workspace.change();
@@ -45,8 +52,32 @@ struct Action {
 
 constexpr std::array kActions{
     Action{{Key::kSpace}, "Space", "play, pause", [](Interface& i) { i.workspace.playback.toggle(); }},
-    Action{{Key::kLeft}, "Left", "one tick back", [](Interface& i) { step(i.workspace, -1); }},
-    Action{{Key::kRight}, "Right", "one tick on", [](Interface& i) { step(i.workspace, 1); }},
+    Action{{key(',')}, "Comma", "one tick back", [](Interface& i) { step(i.workspace, -1); }},
+    Action{{key('.')}, "Period", "one tick on", [](Interface& i) { step(i.workspace, 1); }},
+    Action{{Key::kLeft},
+           "Left",
+           "with a crosshair, a pixel to the left; without, one tick back",
+           [](Interface& i) {
+             if (!nudge(i, {-1, 0})) step(i.workspace, -1);
+           }},
+    Action{{Key::kRight},
+           "Right",
+           "with a crosshair, a pixel to the right; without, one tick on",
+           [](Interface& i) {
+             if (!nudge(i, {1, 0})) step(i.workspace, 1);
+           }},
+    Action{{Key::kUp},
+           "Up",
+           "the crosshair a pixel up",
+           [](Interface& i) {
+             nudge(i, {0, -1});
+           }},
+    Action{{Key::kDown},
+           "Down",
+           "the crosshair a pixel down",
+           [](Interface& i) {
+             nudge(i, {0, 1});
+           }},
     Action{{Key::kHome}, "Home", "first tick", [](Interface& i) { go_to(i.workspace, 0); }},
     Action{{Key::kEnd},
            "End",
@@ -76,16 +107,20 @@ constexpr std::array kActions{
     Action{{Key::kF11}, "F11", "full screen", [](Interface& i) { i.full_screen = !i.full_screen; }},
     Action{{Key::kEscape},
            "Esc",
-           "close a list; else quit",
+           "close a list; else take the crosshair away; else quit",
            [](Interface& i) {
              if (i.help || !i.workspace.problem.empty())
                i.help = false, i.workspace.problem.clear();
+             else if (i.crosshair.placed())
+               i.crosshair.remove(i.workspace);
              else
                i.closing = true;
            }},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 5> kPointer{{
+constexpr std::array<std::pair<const char*, const char*>, 7> kPointer{{
+    {"click", "place the crosshair: what is at that pixel"},
+    {"P held", "the crosshair follows the pointer"},
     {"left drag", "orbit round the target"},
     {"middle drag", "pan"},
     {"right drag", "look round; with it held W A S D Q E fly, Shift faster"},

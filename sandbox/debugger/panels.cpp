@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "sandbox/debugger/crosshair_mark.h"
+#include "sandbox/debugger/crosshair_panel.h"
 #include "sandbox/debugger/keys.h"
 #include "sandbox/debugger/method_panel.h"
 #include "sandbox/debugger/scene_panel.h"
@@ -29,7 +31,7 @@ constexpr std::array kPanels{
 };
 
 // In lines of text, so that they grow with the font.
-constexpr float kLeftWidth = 20, kRightWidth = 24, kTimelineHeight = 4.6f;
+constexpr float kLeftWidth = 20, kRightWidth = 24, kTimelineHeight = 4.6f, kCrosshairHeight = 19;
 
 constexpr ImGuiWindowFlags kDocked = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -77,17 +79,28 @@ Area describe_panels(Interface& interface) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   Area picture{{0, 0}, {window.x, window.y}};
   if (interface.panels) {
-    const float left = kLeftWidth * line, right = kRightWidth * line, bottom = kTimelineHeight * line;
+    const float left = kLeftWidth * line, right = kRightWidth * line,
+                timeline_height = kTimelineHeight * line;
+    const float crosshair_height = interface.crosshair.placed() ? kCrosshairHeight * line : 0;
+    const float bottom = timeline_height + crosshair_height;
     describe_dock("left", Dock::kLeft, {{0, 0}, {left, window.y - bottom}}, interface);
     describe_dock("right", Dock::kRight, {{window.x - right, 0}, {right, window.y - bottom}}, interface);
-    ImGui::SetNextWindowPos({0, window.y - bottom});
-    ImGui::SetNextWindowSize({window.x, bottom});
+    if (crosshair_height > 0) {
+      ImGui::SetNextWindowPos({0, window.y - bottom});
+      ImGui::SetNextWindowSize({window.x, crosshair_height});
+      if (ImGui::Begin("crosshair", nullptr, kDocked | ImGuiWindowFlags_NoScrollbar))
+        crosshair_panel(interface);
+      ImGui::End();
+    }
+    ImGui::SetNextWindowPos({0, window.y - timeline_height});
+    ImGui::SetNextWindowSize({window.x, timeline_height});
     if (ImGui::Begin("timeline", nullptr, kDocked | ImGuiWindowFlags_NoScrollbar)) timeline(interface);
     ImGui::End();
     picture = {{left, 0}, {window.x - left - right, window.y - bottom}};
   }
   picture.size = glm::max(picture.size, glm::vec2(1));
   mark_viewport(interface, picture);
+  mark_crosshair(interface, picture);
   describe_problem(interface, picture);
   describe_keys(interface);
   return picture;

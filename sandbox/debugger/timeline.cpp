@@ -31,10 +31,10 @@ void transport(Workspace& workspace) {
   tooltip("Space");
   ImGui::SameLine();
   if (ImGui::Button("<")) playback.step_back();
-  tooltip("one tick back (Left)");
+  tooltip("one tick back (Comma)");
   ImGui::SameLine();
   if (ImGui::Button(">")) playback.step_forward();
-  tooltip("one tick on (Right)");
+  tooltip("one tick on (Period)");
   ImGui::SameLine();
   ImGui::Checkbox("loop", &playback.loops);
   ImGui::SameLine();

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "sandbox/debugger/keys.h"
+#include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/picture.h"
+#include "sandbox/measure/pixel_probe_text.h"
 #include "sandbox/window/composition.h"
 #include "sandbox/workspace/camera_moves.h"
 
@@ -42,6 +44,7 @@ void Viewer::run(uint32_t frames) {
       draw();
     else if (workspace_.compares && !workspace_.playback.playing() && !dragging_)
       workspace_.measure_accuracy();
+    interface_.crosshair.update(workspace_, now_s());
     if (show()) ++shown;
   }
 }
@@ -64,6 +67,8 @@ void Viewer::react_to(const WindowInput& input) {
   if (!overlay_.takes_pointer()) {
     drag_divider(input);
     move_camera(input);
+    for (const glm::vec2 click : input.clicks) place_crosshair(click);
+    if (window_.holds(key('P')) && !overlay_.takes_keys()) place_crosshair(window_.pointer());
   }
   fly(std::min(now_s() - last_s_, kLongestStep));
   last_s_ = now_s();
@@ -76,6 +81,15 @@ void Viewer::drag_divider(const WindowInput& input) {
   if (moved != glm::vec2(0) && std::abs(pointer.x - moved.x - at) < kDividerReach) drags_divider_ = true;
   if (drags_divider_)
     workspace_.divider = std::clamp((pointer.x - area_.corner.x) / area_.size.x, 0.0f, 1.0f);
+}
+
+void Viewer::place_crosshair(glm::vec2 pointer) {
+  const glm::vec2 share = (pointer - area_.corner) / area_.size;
+  if (glm::any(glm::lessThan(share, glm::vec2(0))) || glm::any(glm::greaterThanEqual(share, glm::vec2(1))))
+    return;
+  const glm::uvec2 size =
+      workspace_.shown() ? workspace_.shown()->size : workspace_.resolution.picture_size(picture_area());
+  interface_.crosshair.place(glm::ivec2(glm::floor(share * glm::vec2(size))), size);
 }
 
 void Viewer::move_camera(const WindowInput& input) {
@@ -131,6 +145,19 @@ void Viewer::save_picture(const std::filesystem::path& path) const {
   if (!workspace_.a.targets)
     throw std::runtime_error("--screenshot: the window was closed before anything was drawn");
   write_png(path, read_picture(workspace_.device(), *workspace_.a.targets).display);
+}
+
+void Viewer::place_crosshair(glm::dvec2 direction, std::vector<std::string> others) {
+  interface_.crosshair.place(direction);
+  interface_.crosshair.ask_of_others(workspace_, std::move(others));
+}
+
+void Viewer::save_crosshair(const std::filesystem::path& path) const {
+  const Crosshair& crosshair = interface_.crosshair;
+  if (!crosshair.told() || !crosshair.stale_because(workspace_).empty())
+    throw std::runtime_error("--dump: the window was closed before the crosshair was answered");
+  const std::string text = to_json(*crosshair.told()).dump(2) + "\n";
+  write_file(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
 double Viewer::now_s() const {

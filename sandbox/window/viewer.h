@@ -19,12 +19,18 @@ class Viewer {
   void run(uint32_t frames);
   /// Side A as it was last drawn, without the panels, as PNG. Throws when nothing was drawn, and FileError.
   void save_picture(const std::filesystem::path& path) const;
+  /// See Crosshair: as if it had been placed by hand, and other methods been chosen.
+  void place_crosshair(glm::dvec2 direction, std::vector<std::string> others);
+  /// What the crosshair's panel shows, as `plume probe` prints it. Throws when it shows nothing, and
+  /// FileError.
+  void save_crosshair(const std::filesystem::path& path) const;
 
  private:
   void react_to(const WindowInput& input);
   void move_camera(const WindowInput& input);
   void fly(double seconds);
   void drag_divider(const WindowInput& input);
+  void place_crosshair(glm::vec2 pointer);
   void draw();
   bool show();
   glm::uvec2 picture_area() const;

@@ -114,6 +114,7 @@ void Workspace::draw(glm::uvec2 area) {
                        .size = size};
   if (key != key_) accuracy_.clear();
   key_ = key;
+  if (outdated_ || !shown() || shown()->size != size) ++picture_;
   const auto simulation = stage_->go_to(playback.tick(), size, camera_);
   for (Side* side : {&a, &b})
     if (shows(*side)) draw_side(*side, size, simulation);

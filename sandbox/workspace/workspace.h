@@ -38,6 +38,7 @@ class Workspace {
             const Playback& playback);
 
   gpu::Device& device() { return device_; }
+  gpu::Pipelines& pipelines() { return pipelines_; }
   const PresetLibrary& library() const { return library_; }
   const Stage& stage() const { return *stage_; }
   const Scene& scene() const { return stage_->scene(); }
@@ -72,6 +73,10 @@ class Workspace {
   const AccuracyLog& accuracy() const { return accuracy_; }
   /// Notes the time that has passed: plays. True when the picture must be drawn.
   bool advance(double now_s);
+  /// Of what is shown; nothing before the first drawing.
+  const std::optional<Targets>& shown() const { return shows(a) ? a.targets : b.targets; }
+  /// How many different pictures have been drawn: the same number, the same picture.
+  uint64_t picture() const { return picture_; }
   /// Wall time of the last drawing.
   double frame_ms() const { return frame_ms_; }
 
@@ -106,6 +111,7 @@ class Workspace {
   Comparison comparison_ = Comparison::kNone;
   bool outdated_ = true;
   double frame_ms_ = 0;  // that drawing took last
+  uint64_t picture_ = 0;
 };
 
 }  // namespace plume

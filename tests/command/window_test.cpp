@@ -1,6 +1,7 @@
 // The window, opened for real on a display of its own that nobody sees (Xvfb).
 #include <sys/prctl.h>
 
+#include <cmath>
 #include <optional>
 
 #include "sandbox/measure/image_io.h"
@@ -132,6 +133,58 @@ TEST_F(WindowTest, SeedChangesThePicture) {
   const auto before = read_png(at("window.png")).pixels;
   ASSERT_EQ(open({"open", "street", "--at", "200", "--seed", "7"}).exit_code, 0);
   EXPECT_NE(read_png(at("window.png")).pixels, before);
+}
+
+// Both tell the picture's size and the pixel, so that the other can be asked for the same.
+Arguments probe_of(const json& dumped, const std::string& methods) {
+  const auto number = [&](const char* key, size_t i) {
+    return std::to_string(dumped.at(key).at(i).get<uint32_t>());
+  };
+  return {"probe",     dumped.at("scene").get<std::string>(),
+          "--at",      std::to_string(dumped.at("tick").get<uint32_t>()),
+          "--size",    number("size", 0) + "x" + number("size", 1),
+          "--pixel",   number("pixel", 0) + "," + number("pixel", 1),
+          "--methods", methods};
+}
+
+TEST_F(WindowTest, CrosshairShowsWhatProbePrints) {
+  const Outcome outcome =
+      run({"open", "three_cards", "--at", "0", "--validate", "--frames", "25", "--crosshair", "0.05,-0.03",
+           "--crosshair-methods", "moments", "--dump", "crosshair.json"},
+          display_->environment());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json shown = json::parse(read("crosshair.json"));
+  ASSERT_EQ(shown.at("methods").size(), 2u);
+  ASSERT_GT(shown.at("fragments").size(), 12u);
+  const Outcome probed = run(probe_of(shown, "avboit,moments"));
+  ASSERT_EQ(probed.exit_code, 0) << probed.err;
+  EXPECT_EQ(json::parse(probed.out), shown);
+}
+
+TEST_F(WindowTest, AClickPlacesTheCrosshairAndArrowsMoveIt) {
+  if (std::system("command -v xdotool > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "nothing to click with; install the package xdotool";
+  const pid_t window =
+      start({"open", "three_cards", "--at", "0", "--validate", "--frames", "60", "--dump", "crosshair.json"},
+            display_->environment());
+  std::string keys;
+  for (int i = 0; i < 20; ++i) keys += " Right";
+  for (int i = 0; i < 10; ++i) keys += " Down";
+  const std::string user = "DISPLAY=" + display_->environment().at("DISPLAY") +
+                           " timeout 20 xdotool search --sync --onlyvisible --name Plume mousemove 600 300 "
+                           "click 1 sleep 1 key" +
+                           keys + " > /dev/null";
+  EXPECT_EQ(std::system(user.c_str()), 0);
+  const Outcome outcome = wait(window);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json shown = json::parse(read("crosshair.json"));
+  const double width = shown["size"][0], height = shown["size"][1];
+  // Where it was clicked, in heights of the picture that filled the window between the panels then.
+  constexpr double kLeft = 20 * 13, kRight = 1280 - 24 * 13, kBottom = 720 - 4.6 * 13;
+  const double x = (600 - 0.5 * (kLeft + kRight)) / kBottom, y = (300 - 0.5 * kBottom) / kBottom;
+  EXPECT_NEAR(shown["pixel"][0].get<double>(), std::floor(x * height + 0.5 * width) + 20, 1);
+  EXPECT_NEAR(shown["pixel"][1].get<double>(), std::floor(y * height + 0.5 * height) + 10, 1);
+  EXPECT_FALSE(shown["fragments"].empty());
 }
 
 TEST_F(WindowTest, LostDeviceNamesThePass) {
