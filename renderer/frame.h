@@ -11,6 +11,7 @@ namespace plume {
 struct Lens {
   float focus_m = 5.0f;       ///< view depth that is sharp
   float aperture_mm = 25.0f;  ///< diameter of the opening: the wider, the more everything else blurs
+  bool operator==(const Lens&) const = default;
 };
 
 /// What is done to a picture after the method. Nothing of it costs anything where it is not asked for.
@@ -19,6 +20,7 @@ struct Post {
   bool surface = false;      ///< depth and motion of what is transparent are asked for
   std::optional<Lens> lens;  ///< depth of field; wants `surface` itself
   Outputs wanted() const { return {.distortion = distortion, .surface = surface || lens.has_value()}; }
+  bool operator==(const Post&) const = default;
 };
 
 /// The images every method shares for one picture size.

@@ -2,6 +2,7 @@
 #ifndef PLUME_DEBUGGER_INTERFACE_H
 #define PLUME_DEBUGGER_INTERFACE_H
 
+#include "sandbox/debugger/effect_selection.h"
 #include "sandbox/workspace/crosshair.h"
 
 namespace plume {
@@ -26,6 +27,7 @@ struct Interface {
   Workspace& workspace;
   Crosshair crosshair{};
   CrosshairView crosshair_view{};
+  EffectSelection effects;
 
   bool panels = true;  ///< otherwise the picture has the whole window
   bool help = false;   ///< the list of keys is open

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sandbox/debugger/effects_panel.h"
 #include "sandbox/debugger/widgets.h"
 
 namespace plume {
@@ -102,19 +103,22 @@ constexpr std::array kActions{
            "R",
            "adapt the resolution to the rate, or hold it",
            [](Interface& i) { i.workspace.resolution.adapts = !i.workspace.resolution.adapts; }},
+    Action{{key('Z'), false, true}, "Ctrl+Z", "undo an edit of the selected effect", undo_edit},
+    Action{{key('Z'), true, true}, "Ctrl+Shift+Z", "redo it", redo_edit},
+    Action{{key('S'), false, true}, "Ctrl+S", "save the selected effect", save_effect},
     Action{{Key::kTab}, "Tab", "hide and show the panels", [](Interface& i) { i.panels = !i.panels; }},
     Action{{Key::kF1}, "F1", "this list", [](Interface& i) { i.help = !i.help; }},
     Action{{Key::kF11}, "F11", "full screen", [](Interface& i) { i.full_screen = !i.full_screen; }},
     Action{{Key::kEscape},
            "Esc",
-           "close a list; else take the crosshair away; else quit",
+           "close a list, drop nothing; else take the crosshair away; else quit",
            [](Interface& i) {
-             if (i.help || !i.workspace.problem.empty())
-               i.help = false, i.workspace.problem.clear();
+             if (i.help || !i.workspace.problem.empty() || !i.effects.placing.empty())
+               i.help = false, i.workspace.problem.clear(), i.effects.placing.clear();
              else if (i.crosshair.placed())
                i.crosshair.remove(i.workspace);
              else
-               i.closing = true;
+               close_window(i);
            }},
 };
 

@@ -13,16 +13,8 @@
 namespace plume {
 namespace {
 
-/// `text` with nothing in it that ImGui would take for a placeholder.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c == '%' ? "%%" : std::string(1, c);
-  return result;
-}
-
 std::string help_of(const NumberInfo& info) {
-  return fmt::format("{}\n{} .. {}{}{}", info.help, info.min, info.max, info.unit.empty() ? "" : " ",
-                     info.unit);
+  return fmt::format("{}\n{}", info.help, limits_text(info.min, info.max, info.unit));
 }
 
 /// One widget a parameter.
@@ -31,7 +23,7 @@ class ParameterWidgets : public ParameterVisitor {
   void number(std::string_view name, float& value, const NumberInfo& info) override {
     const bool wide = info.min > 0 && info.max / info.min >= 100;
     const auto flags = ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0);
-    const std::string format = info.unit.empty() ? "%.4g" : "%.4g " + escaped(info.unit);
+    const std::string format = number_format("%.4g", info.unit);
     float wanted = value;
     if (ImGui::SliderFloat(std::string(name).c_str(), &wanted, float(info.min), float(info.max),
                            format.c_str(), flags) &&
@@ -42,7 +34,7 @@ class ParameterWidgets : public ParameterVisitor {
     tooltip(help_of(info));
   }
   void integer(std::string_view name, int& value, const NumberInfo& info) override {
-    const std::string format = info.unit.empty() ? "%d" : "%d " + escaped(info.unit);
+    const std::string format = number_format("%d", info.unit);
     changed_ |= ImGui::SliderInt(std::string(name).c_str(), &value, int(info.min), int(info.max),
                                  format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     tooltip(help_of(info));

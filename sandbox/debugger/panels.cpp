@@ -6,12 +6,14 @@
 
 #include "sandbox/debugger/crosshair_mark.h"
 #include "sandbox/debugger/crosshair_panel.h"
+#include "sandbox/debugger/effects_panel.h"
 #include "sandbox/debugger/keys.h"
 #include "sandbox/debugger/method_panel.h"
 #include "sandbox/debugger/scene_panel.h"
 #include "sandbox/debugger/timeline.h"
 #include "sandbox/debugger/timings_panel.h"
 #include "sandbox/debugger/viewport_marks.h"
+#include "sandbox/debugger/widget_places.h"
 
 namespace plume {
 namespace {
@@ -26,12 +28,13 @@ struct Panel {
 
 constexpr std::array kPanels{
     Panel{"Scene", Dock::kLeft, scene_panel},
+    Panel{"Effects", Dock::kLeft, effects_panel},
     Panel{"Method", Dock::kRight, method_panel},
     Panel{"Cost", Dock::kRight, timings_panel},
 };
 
 // In lines of text, so that they grow with the font.
-constexpr float kLeftWidth = 20, kRightWidth = 24, kTimelineHeight = 4.6f, kCrosshairHeight = 19;
+constexpr float kLeftWidth = 24, kRightWidth = 24, kTimelineHeight = 4.6f, kCrosshairHeight = 19;
 
 constexpr ImGuiWindowFlags kDocked = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -101,8 +104,10 @@ Area describe_panels(Interface& interface) {
   picture.size = glm::max(picture.size, glm::vec2(1));
   mark_viewport(interface, picture);
   mark_crosshair(interface, picture);
+  ask_about_files(interface);
   describe_problem(interface, picture);
   describe_keys(interface);
+  write_widget_places();
   return picture;
 }
 

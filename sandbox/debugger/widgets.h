@@ -9,9 +9,15 @@ namespace plume {
 
 /// Of the last widget, also when that is disabled.
 void tooltip(std::string_view text);
+/// Whether it would be shown: for texts that take a while to make.
+bool wants_tooltip();
 void text(const std::string& text);
 /// Wrapped, and less bright.
 void note(const std::string& text);
+/// What ImGui's sliders are told to write: a number as `digits` says ("%.4g"), and its unit.
+std::string number_format(std::string_view digits, std::string_view unit);
+/// "0 .. 1", with the unit, for tooltips.
+std::string limits_text(double min, double max, std::string_view unit);
 /// The next column of a table.
 void cell(const std::string& text);
 

@@ -304,12 +304,13 @@ Scene read_scene(const std::filesystem::path& path) {
   return read_scene_text(load_text(path), path.string());
 }
 
-std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library) {
+std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library,
+                                         const std::map<std::string, Effect>& edited) {
   std::vector<Diagnostic> found;
-  std::map<std::string, Effect> effects;
+  std::map<std::string, Effect> effects = edited;
   std::vector<Load> loads;
   for (const Instance& instance : scene.instances) try {
-      library.find(PresetKind::kEffect, instance.effect);
+      if (!edited.contains(instance.effect)) library.find(PresetKind::kEffect, instance.effect);
       if (!instance.call_tick && instance.layers.empty()) continue;
       auto effect = effects.find(instance.effect);
       if (effect == effects.end())

@@ -4,10 +4,12 @@
 #define PLUME_PRESETS_READ_SCENE_H
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sandbox/effects/effect.h"
 #include "sandbox/presets/diagnostics.h"
 #include "sandbox/presets/field.h"
 #include "sandbox/scene/scene.h"
@@ -27,8 +29,10 @@ Scene read_scene_text(std::string_view text, const std::string& file);
 std::vector<Field> scene_fields(std::string_view text, const std::string& file);
 
 /// A diagnostic for each instance whose effect the library does not have, or that bears too many particles on
-/// its way, and for the first with which those of the whole scene no longer fit one buffer.
-std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library);
+/// its way, and for the first with which those of the whole scene no longer fit one buffer. Effects in
+/// `edited`, by the name that the scene calls them, are taken instead of the library's.
+std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library,
+                                         const std::map<std::string, Effect>& edited = {});
 
 /// The [camera] or [[camera]] of a scene or a replay.
 std::vector<CameraKey> read_camera(TableReader& top, bool required);

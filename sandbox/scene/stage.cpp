@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "sandbox/effects/puff_textures.h"
+#include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/debris.h"
 #include "sandbox/scene/pane_card.h"
 #include "sandbox/scene/view.h"
@@ -16,25 +18,62 @@ constexpr uint32_t kTextureSeed =
 
 }  // namespace
 
-Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene)
+Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene,
+             const SceneEdits& edits)
     : device_(device),
+      pipelines_(pipelines),
+      library_(library),
       scene_(std::move(scene)),
       puffs_(make_puff_textures(device, pipelines, kTextureSeed)),
       opaque_(device, scene_.solids),
       view_(device,
             {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}) {
-  std::vector<Call> calls;
+  call_effects(effects_with(edits), edits);
+  for (const Pane& pane : scene_.panes)
+    (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
+}
+
+/// Those that the scene calls, muted or not.
+std::map<std::string, Effect> Stage::effects_with(const SceneEdits& edits) {
+  std::map<std::string, Effect> effects;
   for (const Instance& instance : scene_.instances) {
-    if (!instance.call_tick) continue;
-    auto [effect, added] = effects_.try_emplace(instance.effect);
-    if (added) effect->second = library.effect(instance.effect);
+    if (!instance.call_tick || effects.contains(instance.effect)) continue;
+    if (const auto edited = edits.effects.find(instance.effect); edited != edits.effects.end()) {
+      effects.insert(*edited);
+    } else {
+      const auto [read, added] = from_library_.try_emplace(instance.effect);
+      if (added) read->second = library_.effect(instance.effect);
+      effects.insert(*read);
+    }
+  }
+  return effects;
+}
+
+void Stage::revise(const SceneEdits& edits) {
+  std::map<std::string, Effect> effects = effects_with(edits);
+  if (auto mistakes = check_references(scene_, library_, effects); !mistakes.empty())
+    throw FileErrors(std::move(mistakes));
+  call_effects(std::move(effects), edits);
+}
+
+/// What stands is replaced only once all that comes is made.
+void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits) {
+  std::vector<Call> calls;
+  std::vector<std::optional<uint32_t>> call_of(scene_.instances.size());
+  for (size_t i = 0; i < scene_.instances.size(); ++i) {
+    const Instance& instance = scene_.instances[i];
+    if (!instance.call_tick || edits.muted.contains(i)) continue;
     std::vector<Layer> layers;
     for (const LayerOffset& layer : instance.layers) layers.push_back({layer.layer, layer.camera_offset_m});
+    std::vector<Freeze> freezes = instance.freezes;
+    if (const auto frozen = edits.frozen.find(i); frozen != edits.frozen.end())
+      freezes.push_back({frozen->second, kMaxTick});
+    call_of[i] = uint32_t(calls.size());
     calls.push_back({.name = instance.name,
-                     .effect = &effect->second,
+                     .effect = &effects.at(instance.effect),
                      .tick = *instance.call_tick,
                      .stop_tick = instance.stop_tick,
-                     .freezes = instance.freezes,
+                     .freezes = std::move(freezes),
                      .position = instance.position,
                      .path = instance.path,
                      .yaw_deg = instance.yaw_deg,
@@ -46,15 +85,16 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
   for (const Call& call : calls)
     if (std::ranges::any_of(call.effect->emitters, [](const Emitter& e) { return glows(e.look); }))
       glowing[uint32_t(&call - calls.data())] = call.position;
-  lighting_.emplace(device,
-                    LightingOptions{.self_shadow = scene_.light.self_shadow,
-                                    .cells = scene_.light.shadow_cells,
-                                    .fire_gain = scene_.light.fire_light},
-                    glowing);
-  simulation_.emplace(device, pipelines, std::move(calls), scene_.seed, scene_.wind, scene_.solids,
-                      scene_.light.sun_direction);
-  for (const Pane& pane : scene_.panes)
-    (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
+  auto lighting = std::make_unique<Lighting>(device_,
+                                             LightingOptions{.self_shadow = scene_.light.self_shadow,
+                                                             .cells = scene_.light.shadow_cells,
+                                                             .fire_gain = scene_.light.fire_light},
+                                             glowing);
+  simulation_ = std::make_unique<Simulation>(device_, pipelines_, std::move(calls), scene_.seed, scene_.wind,
+                                             scene_.solids, scene_.light.sun_direction);
+  lighting_ = std::move(lighting);
+  effects_ = std::move(effects);  // which keeps their addresses
+  call_of_ = std::move(call_of);
 }
 
 void Stage::fit_cards(uint32_t count) {
@@ -154,11 +194,12 @@ Post Stage::post() const {
 std::vector<InstanceDemand> Stage::demand() const {
   const auto called = simulation_->demand();
   std::vector<InstanceDemand> result;
-  for (size_t i = 0, next = 0; i < scene_.instances.size(); ++i) {
-    if (scene_.instances[i].call_tick)
-      result.push_back(called[next++]);
+  for (size_t i = 0; i < scene_.instances.size(); ++i) {
+    if (call_of_[i])
+      result.push_back(called[*call_of_[i]]);
     else
-      result.push_back({.name = scene_.instances[i].name, .why = "not called"});
+      result.push_back(
+          {.name = scene_.instances[i].name, .why = scene_.instances[i].call_tick ? "muted" : "not called"});
   }
   return result;
 }

@@ -2,19 +2,29 @@
 #ifndef PLUME_SCENE_STAGE_H
 #define PLUME_SCENE_STAGE_H
 
+#include <memory>
+
 #include "renderer/frame.h"
 #include "sandbox/effects/lighting.h"
 #include "sandbox/presets/library.h"
 #include "sandbox/scene/opaque.h"
+#include "sandbox/scene/scene_edits.h"
 #include "shaders/shared/card.h"
 
 namespace plume {
 
 class Stage {
  public:
-  /// Reads the effects the scene calls. Throws what the library throws, and DeviceFailure.
-  Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene);
+  /// Reads the effects the scene calls, but for those in `edits`. Throws what the library throws, and
+  /// DeviceFailure. `library` outlives the stage.
+  Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, Scene scene,
+        const SceneEdits& edits = {});
   Stage(const Stage&) = delete;  // transparents() points into it
+
+  /// Takes other edits instead of those it has. No particle is kept: the next go_to() seeks, to the same bits
+  /// as a stage made with them. Throws FileErrors when the scene cannot bear them, and leaves everything as
+  /// it was.
+  void revise(const SceneEdits& edits);
 
   /// Simulates to `tick` and looks from `camera` (nothing: the scene's own).
   std::vector<gpu::PassTime> go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera = {});
@@ -33,18 +43,25 @@ class Stage {
   const Lighting& lighting() const { return *lighting_; }
   /// Called and uncalled instances, in the order of the scene.
   std::vector<InstanceDemand> demand() const;
+  /// Which of the simulation's calls an instance of the scene is; nothing: it is not called, or muted.
+  std::optional<uint32_t> call_of(size_t instance) const { return call_of_[instance]; }
 
  private:
+  std::map<std::string, Effect> effects_with(const SceneEdits& edits);
+  void call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits);
   void fit_cards(uint32_t count);
   std::vector<CardGroup> card_groups() const;
 
   gpu::Device& device_;
+  gpu::Pipelines& pipelines_;
+  const PresetLibrary& library_;
   Scene scene_;
-  std::map<std::string, Effect> effects_;
+  std::map<std::string, Effect> from_library_, effects_;  ///< by the name that the scene calls them
+  std::vector<std::optional<uint32_t>> call_of_;
   gpu::Image puffs_;
   OpaqueScene opaque_;
-  std::optional<Simulation> simulation_;
-  std::optional<Lighting> lighting_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Lighting> lighting_;
   std::vector<shared::Card> scalar_panes_, rgb_panes_;
   gpu::Buffer view_, cards_, order_;
   uint32_t capacity_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sandbox/debugger/effects_panel.h"
 #include "sandbox/debugger/keys.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/image_io.h"
@@ -67,7 +68,8 @@ void Viewer::react_to(const WindowInput& input) {
   if (!overlay_.takes_pointer()) {
     drag_divider(input);
     move_camera(input);
-    for (const glm::vec2 click : input.clicks) place_crosshair(click);
+    for (const glm::vec2 click : input.clicks)
+      interface_.effects.placing.empty() ? place_crosshair(click) : place_effect(click);
     if (window_.holds(key('P')) && !overlay_.takes_keys()) place_crosshair(window_.pointer());
   }
   fly(std::min(now_s() - last_s_, kLongestStep));
@@ -90,6 +92,13 @@ void Viewer::place_crosshair(glm::vec2 pointer) {
   const glm::uvec2 size =
       workspace_.shown() ? workspace_.shown()->size : workspace_.resolution.picture_size(picture_area());
   interface_.crosshair.place(glm::ivec2(glm::floor(share * glm::vec2(size))), size);
+}
+
+void Viewer::place_effect(glm::vec2 pointer) {
+  const glm::vec2 place = (pointer - area_.corner) / area_.size;
+  const bool on_a = workspace_.comparison() == Comparison::kSplit ? place.x < workspace_.divider
+                                                                  : workspace_.shows(workspace_.a);
+  plume::place_effect(interface_, on_a ? workspace_.a : workspace_.b, place);
 }
 
 void Viewer::move_camera(const WindowInput& input) {

@@ -31,6 +31,7 @@ class Viewer {
   void fly(double seconds);
   void drag_divider(const WindowInput& input);
   void place_crosshair(glm::vec2 pointer);
+  void place_effect(glm::vec2 pointer);
   void draw();
   bool show();
   glm::uvec2 picture_area() const;

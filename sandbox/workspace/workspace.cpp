@@ -1,11 +1,15 @@
 #include "sandbox/workspace/workspace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/picture.h"
 #include "sandbox/presets/read_scene.h"
+#include "sandbox/scene/view.h"
+#include "sandbox/workspace/surface_point.h"
 
 namespace plume {
 namespace {
@@ -22,41 +26,98 @@ Side side_of(std::string_view first, const std::string& mark) {
   return side;
 }
 
+/// `name`, or with the first number from 2 that no instance has.
+std::string unused_name(const Scene& scene, std::string_view name) {
+  std::string candidate(name);
+  for (int number = 2;
+       std::ranges::find(scene.instances, candidate, &Instance::name) != scene.instances.end(); ++number)
+    candidate = fmt::format("{} {}", name, number);
+  return candidate;
+}
+
 }  // namespace
 
 Workspace::Workspace(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library,
                      Scene scene, const Playback& playing)
-    : a(side_of(kFirstMethod, "")),
+    : documents(library),
+      a(side_of(kFirstMethod, "")),
       b(side_of(kSecondMethod, " (B)")),
       playback(playing),
       device_(device),
       pipelines_(pipelines),
       library_(library),
-      stage_(std::make_unique<Stage>(device, pipelines, library, std::move(scene))) {}
+      stage_(std::make_unique<Stage>(device, pipelines, library, std::move(scene))) {
+  open_documents();
+}
+
+/// So that their files are watched.
+void Workspace::open_documents() {
+  for (const Instance& instance : scene().instances)
+    if (instance.call_tick) documents.open(instance.effect);
+}
+
+SceneEdits Workspace::edits() const {
+  return {.effects = documents.edited(),
+          .muted = switches.silent(scene().instances.size()),
+          .frozen = switches.frozen};
+}
+
+void Workspace::apply_edits() {
+  const Applied wanted = wanted_edits();
+  if (wanted == applied_) return;
+  applied_ = wanted;
+  ++scene_version_;
+  try {
+    stage_->revise(edits());
+    refused_edits_.clear();
+  } catch (const FileErrors& mistakes) {
+    refused_edits_ = mistakes.what();
+  }
+}
 
 void Workspace::open_scene(const std::string& id) {
   Scene scene = library_.scene(id);
   if (auto unknown = check_references(scene, library_); !unknown.empty())
     throw FileErrors(std::move(unknown));
   const Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
-  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene));
+  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene),
+                                   SceneEdits{.effects = documents.edited()});
   ++scene_version_;
+  switches = {};
+  applied_ = wanted_edits();
+  refused_edits_.clear();
+  open_documents();
   playback = from;
   camera_.reset();
-  for (Side* side : {&a, &b}) {
-    side->targets.reset();  // the new scene may ask for other images
-    side->timings.clear();
-  }
+  for (Side* side : {&a, &b}) side->timings.clear();
   change();
 }
 
 void Workspace::change_scene(const std::function<void(Scene&)>& how) {
   Scene scene = stage_->scene();
   how(scene);
-  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene));
+  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene), edits());
   ++scene_version_;
-  for (Side* side : {&a, &b}) side->targets.reset();
+  applied_ = wanted_edits();
+  open_documents();
   change();
+}
+
+bool Workspace::drop_effect(const std::string& effect, Side& side, glm::vec2 place) {
+  if (!side.targets) return false;
+  const auto view = make_view(scene(), camera(), side.targets->size, playback.tick());
+  const auto surface = surface_at(device_, *side.targets, view, place);
+  if (!surface) return false;
+  Scene changed = scene();
+  changed.instances.push_back({.name = unused_name(changed, effect),
+                               .effect = effect,
+                               .call_tick = playback.tick(),
+                               .position = *surface,
+                               .seed = uint32_t(changed.instances.size())});
+  if (auto mistakes = check_references(changed, library_, documents.edited()); !mistakes.empty())
+    throw FileErrors(std::move(mistakes));
+  change_scene([&](Scene& scene) { scene = std::move(changed); });
+  return true;
 }
 
 CameraKey Workspace::camera() const {
@@ -98,12 +159,15 @@ bool Workspace::shows(const Side& side) const {
 }
 
 bool Workspace::advance(double now_s) {
+  documents.poll(now_s);
+  outdated_ |= wanted_edits() != applied_;
   outdated_ |= playback.advance(now_s);
   return outdated_ || always_draw;
 }
 
 void Workspace::draw(glm::uvec2 area) {
   const auto start = std::chrono::steady_clock::now();
+  apply_edits();
   const glm::uvec2 size = resolution.picture_size(area);
   const CameraKey eye = camera();
   const PictureKey key{.scene = scene_version_,
@@ -140,7 +204,7 @@ bool Workspace::measure_accuracy() {
 }
 
 void Workspace::draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation) {
-  if (!side.targets || side.targets->size != size) {
+  if (!side.targets || side.targets->size != size || side.targets->post != stage_->post()) {
     side.targets.emplace(device_, size, stage_->post());
     side.timings.clear();
   }

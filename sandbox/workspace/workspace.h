@@ -9,6 +9,8 @@
 #include "sandbox/measure/timing_history.h"
 #include "sandbox/scene/stage.h"
 #include "sandbox/workspace/accuracy_log.h"
+#include "sandbox/workspace/effect_documents.h"
+#include "sandbox/workspace/instance_switches.h"
 #include "sandbox/workspace/playback.h"
 #include "sandbox/workspace/resolution_control.h"
 
@@ -49,6 +51,17 @@ class Workspace {
   /// Changes the scene that is shown, at the tick that is shown.
   void change_scene(const std::function<void(Scene&)>& change);
 
+  /// Effects that are worked on. An edit is seen in the next picture.
+  EffectDocuments documents;
+  /// Which instances are heard and whose time goes on; likewise.
+  InstanceSwitches switches;
+  /// Why the scene cannot bear the effects as they were edited last, and shows those before; empty: it can.
+  const std::string& refused_edits() const { return refused_edits_; }
+  /// Calls an effect at the tick that is shown, where the opaque surface is that is seen at a place of the
+  /// picture of `side` (shares of its width and height, from the upper left). Returns false, and does
+  /// nothing, where there is only sky. Throws what the library throws and FileErrors.
+  bool drop_effect(const std::string& effect, Side& side, glm::vec2 place);
+
   CameraKey camera() const;
   /// One's own from now on.
   void set_camera(const CameraKey& camera);
@@ -71,7 +84,8 @@ class Workspace {
   /// are shown against it, unless they were. Returns whether there was anything to do.
   bool measure_accuracy();
   const AccuracyLog& accuracy() const { return accuracy_; }
-  /// Notes the time that has passed: plays. True when the picture must be drawn.
+  /// Notes the time that has passed: plays, and reads what was changed on disk. True when the picture must
+  /// be drawn.
   bool advance(double now_s);
   /// Of what is shown; nothing before the first drawing.
   const std::optional<Targets>& shown() const { return shows(a) ? a.targets : b.targets; }
@@ -98,12 +112,23 @@ class Workspace {
     glm::uvec2 size{0};
     bool operator==(const PictureKey&) const = default;
   };
+  struct Applied {  ///< of the edits, in the stage
+    uint64_t revision = 0;
+    InstanceSwitches switches;
+    bool operator==(const Applied&) const = default;
+  };
+  Applied wanted_edits() const { return {documents.revision(), switches}; }
+  SceneEdits edits() const;
+  void apply_edits();
+  void open_documents();
   void draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation);
 
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   const PresetLibrary& library_;
   std::unique_ptr<Stage> stage_;
+  Applied applied_;
+  std::string refused_edits_;
   std::optional<CameraKey> camera_;  // nothing: the scene's own
   AccuracyLog accuracy_;
   PictureKey key_;  // of the last drawing

@@ -1,51 +1,13 @@
 // The window, opened for real on a display of its own that nobody sees (Xvfb).
-#include <sys/prctl.h>
-
 #include <cmath>
 #include <optional>
 
 #include "sandbox/measure/image_io.h"
 #include "tests/command/program.h"
+#include "tests/command/virtual_display.h"
 
 namespace plume {
 namespace {
-
-/// An X server on a free display, for as long as this lives.
-class VirtualDisplay {
- public:
-  VirtualDisplay() {
-    int number_pipe[2];
-    if (pipe(number_pipe) != 0) return;
-    server_ = fork();
-    if (server_ == 0) {
-      const std::string number_to = std::to_string(number_pipe[1]);
-      const int silence = open("/dev/null", O_WRONLY);
-      dup2(silence, STDERR_FILENO);
-      prctl(PR_SET_PDEATHSIG, SIGTERM);  // does not outlive a test that crashes
-      execlp("Xvfb", "Xvfb", "-displayfd", number_to.c_str(), "-screen", "0", "1280x720x24", "-nolisten",
-             "tcp", nullptr);
-      _exit(127);
-    }
-    ::close(number_pipe[1]);
-    char byte = 0;
-    while (::read(number_pipe[0], &byte, 1) == 1 && byte != '\n')
-      number_ += byte;  // nothing when it cannot start
-    ::close(number_pipe[0]);
-  }
-  ~VirtualDisplay() {
-    if (server_ <= 0) return;
-    kill(server_, SIGTERM);
-    waitpid(server_, nullptr, 0);
-  }
-  VirtualDisplay(const VirtualDisplay&) = delete;
-
-  bool works() const { return !number_.empty(); }
-  Environment environment() const { return {{"DISPLAY", ":" + number_}, {"WAYLAND_DISPLAY", ""}}; }
-
- private:
-  pid_t server_ = -1;
-  std::string number_;
-};
 
 const Environment kNoDisplay{{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
 

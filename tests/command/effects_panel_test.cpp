@@ -1,0 +1,157 @@
+// The effects panel, driven with mouse and keys as by a person (xdotool).
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <sstream>
+
+#include "tests/command/program.h"
+#include "tests/command/virtual_display.h"
+
+namespace plume {
+namespace {
+
+constexpr std::string_view kEffect = R"(# kept
+name = "Small"
+
+[[emitter]]
+name = "puffs"
+  [emitter.spawn]
+  rate = 60.0   # a second
+  duration = 100
+  life = [20, 40]
+  [emitter.shape]
+  kind = "sphere"
+  radius_m = 0.50
+  [emitter.look]
+  radius_m = 0.2
+  opacity = 0.5
+)";
+
+constexpr std::string_view kScene = R"(name = "One"
+duration_ticks = 200
+[camera]
+position = [0.0, 1.0, 6.0]
+target = [0.0, 1.0, 0.0]
+[[solid]]
+kind = "plane"
+size_m = [40.0, 1.0, 40.0]
+[[instance]]
+name = "it"
+effect = "small"
+call_tick = 0
+position = [0.0, 1.0, 0.0]
+)";
+
+class EffectsPanel : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    if (std::system("command -v xdotool > /dev/null") != 0) GTEST_SKIP() << "install the package xdotool";
+    display_.emplace();
+    if (!display_->works()) GTEST_SKIP() << "Xvfb does not start; install the package xvfb";
+    write("presets/effects/small.toml", kEffect);
+    write("presets/scenes/one.toml", kScene);
+    Environment environment = display_->environment();
+    environment["PLUME_PRESETS"] = at("presets");
+    environment["PLUME_WIDGET_PLACES"] = at("places");
+    window_ = start({"open", "one", "--at", "30", "--validate"}, environment);
+    if (!until([&] { return fs::exists(at("places")); })) {
+      const Outcome outcome = close();
+      if (says(outcome.err, {"this build has no window"})) GTEST_SKIP() << "there is no window to open";
+      FAIL() << outcome.err;
+    }
+  }
+  void TearDown() override {
+    if (window_ > 0) close();
+    ProgramTest::TearDown();
+  }
+
+  static bool until(const std::function<bool()>& holds, double seconds = 20) {
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+         std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+      if (holds()) return true;
+    return false;
+  }
+
+  /// The middle of a widget, once it is there and stays where it is.
+  std::optional<std::pair<int, int>> middle(const std::string& widget) {
+    std::optional<std::pair<int, int>> found, before;
+    until([&] {
+      before = found, found.reset();
+      std::istringstream lines(read("places"));
+      int left = 0, top = 0, right = 0, bottom = 0;
+      for (std::string name; lines >> left >> top >> right >> bottom && std::getline(lines >> std::ws, name);)
+        if (name == widget) found = {(left + right) / 2, (top + bottom) / 2};
+      return found && found == before;
+    });
+    return found;
+  }
+  /// xdotool's own words; it waits until the window has had time for each.
+  void act(const std::string& what) {
+    const std::string command =
+        fmt::format("DISPLAY={} xdotool {}", display_->environment()["DISPLAY"], what);
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  }
+  void move_to(const std::string& widget, int right = 0) {
+    const auto place = middle(widget);
+    ASSERT_TRUE(place) << widget << " is not among\n" << read("places");
+    act(fmt::format("mousemove {} {}", place->first + right, place->second));
+  }
+  void click(const std::string& widget) {
+    move_to(widget);
+    act("mousedown 1");
+    act("mouseup 1");
+  }
+  std::string effect() const { return read("presets/effects/small.toml"); }
+  Outcome close() {
+    kill(window_, SIGTERM);
+    const Outcome outcome = wait(window_);
+    window_ = -1;
+    return outcome;
+  }
+
+  std::optional<VirtualDisplay> display_;
+  pid_t window_ = -1;
+};
+
+std::string with(std::string_view text, std::string_view old, std::string_view by) {
+  std::string changed(text);
+  return changed.replace(changed.find(old), old.size(), by);
+}
+
+TEST_F(EffectsPanel, ADraggedNumberIsSavedAndUndone) {
+  click("it / puffs");
+  const std::string radius = "emitter[0].shape.radius_m";
+  move_to(radius);
+  act("mousedown 1");
+  for (int i = 1; i <= 4; ++i) move_to(radius, 10 * i);
+  act("mouseup 1");
+  EXPECT_EQ(effect(), kEffect) << "not saved yet";
+  act("key ctrl+s");
+  ASSERT_TRUE(until([&] { return effect() != kEffect; }));
+  const std::string saved = effect(), before = "  radius_m = ";
+  const size_t at = saved.find(before) + before.size();
+  const std::string number = saved.substr(at, saved.find('\n', at) - at);
+  EXPECT_EQ(saved, with(kEffect, "0.50", number)) << "one number, and nothing else";
+  EXPECT_GT(std::stof(number), 0.5f);
+
+  act("key ctrl+z");
+  act("key ctrl+s");
+  EXPECT_TRUE(until([&] { return effect() == kEffect; })) << effect();
+  act("key ctrl+shift+z");
+  act("key ctrl+s");
+  EXPECT_TRUE(until([&] { return effect() == saved; })) << effect();
+
+  write("presets/effects/small.toml", with(kEffect, "rate = 60.0", "rate = oops"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  act("mousemove 640 400 key Escape");
+  const Outcome outcome = wait(window_);
+  window_ = -1;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+}  // namespace
+}  // namespace plume

@@ -1,0 +1,304 @@
+// Effects that are edited while they run: what one sees is what the saved file would give.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "sandbox/scene/view.h"
+#include "sandbox/workspace/emitter_depths.h"
+#include "sandbox/workspace/workspace.h"
+#include "tests/gpu/gpu_test.h"
+
+namespace plume {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEffect = R"(name = "Small"
+
+[[layer]]
+name = "near"
+camera_offset_m = 0.5
+
+[[emitter]]
+name = "puffs"
+  [emitter.spawn]
+  rate = 60.0
+  duration = 100
+  life = [20, 40]
+  [emitter.shape]
+  kind = "sphere"
+  radius_m = 0.5
+  [emitter.motion]
+  speed = [0.5, 1.0]
+  [emitter.look]
+  layer = "near"
+  radius_m = 0.2
+  opacity = 0.5
+)";
+
+constexpr std::string_view kScene = R"(name = "Three"
+duration_ticks = 200
+[camera]
+position = [0.0, 1.0, 6.0]
+target = [0.0, 1.0, 0.0]
+[[solid]]
+kind = "plane"
+size_m = [40.0, 1.0, 40.0]
+[[instance]]
+name = "left"
+effect = "small"
+call_tick = 0
+position = [-1.5, 1.0, 0.0]
+seed = 1
+[instance.layers]
+near = 1.0
+[[instance]]
+name = "right"
+effect = "other"
+call_tick = 5
+position = [1.5, 1.0, 0.0]
+seed = 2
+[[instance]]
+name = "never"
+effect = "other"
+)";
+
+class EffectEdits : public GpuTest {
+ protected:
+  EffectEdits() {
+    fs::remove_all(root_);
+    fs::create_directories(root_ / "effects");
+    fs::create_directories(root_ / "scenes");
+    write("effects/small.toml", kEffect);
+    write("effects/other.toml", kEffect);
+    write("scenes/three.toml", kScene);
+  }
+  ~EffectEdits() override { fs::remove_all(root_); }
+
+  void write(const fs::path& name, std::string_view text) const { std::ofstream(root_ / name) << text; }
+  static std::string with(std::string_view text, std::string_view old, std::string_view by) {
+    std::string changed(text);
+    return changed.replace(changed.find(old), old.size(), by);
+  }
+
+  Workspace open(uint32_t tick = 50) {
+    return {device, pipelines, presets_, presets_.scene("three"), Playback(tick, 200, false)};
+  }
+  /// Draws, and gives the state of all particles that are seen.
+  uint64_t seen(Workspace& workspace) {
+    workspace.draw(kSize);
+    return workspace.stage().simulation().state_hash();
+  }
+  auto picture(const Workspace& workspace) {
+    return read_picture(device, *workspace.a.targets).display.pixels;
+  }
+  uint64_t anew(
+      const std::function<void(Scene&)>& change = [](Scene&) {}, uint32_t tick = 50) {
+    Scene scene = presets_.scene("three");
+    change(scene);
+    Workspace workspace(device, pipelines, presets_, std::move(scene), Playback(tick, 200, false));
+    const uint64_t hash = seen(workspace);
+    picture_anew_ = picture(workspace);
+    return hash;
+  }
+
+  static constexpr glm::uvec2 kSize{96, 54};
+  const fs::path root_ = fs::path(testing::TempDir()) / fmt::format("plume_edits_{}", ::getpid());
+  const PresetLibrary presets_{root_};
+  std::vector<std::array<uint8_t, 3>> picture_anew_;  // of the last anew()
+};
+
+TEST_F(EffectEdits, AnEditedEffectIsTheSavedFileOpenedAnew) {
+  Workspace workspace = open();
+  const uint64_t before = seen(workspace);
+  const auto picture_before = picture(workspace);
+  EXPECT_EQ(before, anew());
+  PresetDocument& document = workspace.documents.open("small");
+  ASSERT_TRUE(document.set("emitter[0].motion.speed", Range<float>{2, 3}).made);
+  ASSERT_TRUE(document.add("emitter[0].motion.curl").made);
+  ASSERT_TRUE(document.set("emitter[0].look.radius_m", Curve({{0.0f, 0.1f}, {1.0f, 0.4f}})).made);
+  EXPECT_TRUE(workspace.advance(0)) << "the picture is out of date";
+  const uint64_t edited = seen(workspace);
+  const auto picture_edited = picture(workspace);
+  EXPECT_NE(edited, before);
+  EXPECT_EQ(before, anew()) << "nothing is saved yet";
+  workspace.documents.save("small", PresetDocument::OverChanges::kRefuse);
+  EXPECT_EQ(edited, anew());
+  EXPECT_EQ(picture_edited, picture_anew_);
+  while (document.undo()) continue;
+  EXPECT_EQ(before, seen(workspace));
+  EXPECT_EQ(picture_before, picture(workspace));
+}
+
+TEST_F(EffectEdits, MutedAndNotSoloAreAsIfNotInTheScene) {
+  Workspace workspace = open();
+  const uint64_t both = seen(workspace);
+  const uint64_t left = anew([](Scene& scene) { scene.instances.erase(scene.instances.begin() + 1); });
+  const auto picture_left = picture_anew_;
+  const uint64_t right = anew([](Scene& scene) { scene.instances.erase(scene.instances.begin()); });
+  EXPECT_NE(left, right);
+  workspace.switches.muted = {1};
+  EXPECT_EQ(left, seen(workspace));
+  EXPECT_EQ(picture_left, picture(workspace));
+  EXPECT_EQ("muted", workspace.stage().demand()[1].why);
+  EXPECT_EQ("not called", workspace.stage().demand()[2].why);
+  EXPECT_FALSE(workspace.stage().call_of(1));
+  workspace.switches.muted = {};
+  workspace.switches.solo = {1};
+  EXPECT_EQ(right, seen(workspace));
+  EXPECT_EQ("muted", workspace.stage().demand()[0].why);
+  EXPECT_EQ(0u, workspace.stage().call_of(1));
+  workspace.switches.solo = {};
+  EXPECT_EQ(both, seen(workspace));
+}
+
+TEST_F(EffectEdits, AFrozenInstanceStaysAsItWasAndTheOthersGoOn) {
+  const auto frozen = [](Scene& scene) { scene.instances[0].freezes = {{40, 100}}; };
+  Workspace workspace = open(40);
+  seen(workspace);
+  workspace.switches.frozen[0] = 40;
+  workspace.playback.go_to(55);
+  EXPECT_EQ(anew(frozen, 55), seen(workspace));
+  EXPECT_EQ("frozen at its tick 40", workspace.stage().demand()[0].why);
+  workspace.switches.frozen.clear();
+  EXPECT_EQ(anew([](Scene&) {}, 55), seen(workspace));
+}
+
+TEST_F(EffectEdits, ABrokenFileKeepsTheLastGoodEffectAndSaysWhere) {
+  Workspace workspace = open();
+  workspace.advance(0);
+  const uint64_t before = seen(workspace);
+  const std::string broken = with(kEffect, "[0.5, 1.0]", "[0.5, oops]");
+  write("effects/small.toml", broken);
+  workspace.advance(1);
+  EXPECT_EQ(before, seen(workspace));
+  const auto& diagnostics = workspace.documents.open("small").diagnostics();
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(to_string(diagnostics[0]).rfind((root_ / "effects/small.toml").string() + ":16:17: ", 0), 0u)
+      << to_string(diagnostics[0]);
+  write("effects/small.toml", with(kEffect, "[0.5, 1.0]", "[2.5, 3.0]"));
+  workspace.advance(1.1);
+  EXPECT_EQ(before, seen(workspace)) << "it looks four times a second";
+  EXPECT_TRUE(workspace.advance(2));
+  const uint64_t mended = seen(workspace);
+  EXPECT_NE(before, mended);
+  EXPECT_EQ(anew(), mended);
+}
+
+TEST_F(EffectEdits, WhatIsNotSavedIsNotLostToAChangeOnDisk) {
+  Workspace workspace = open();
+  workspace.advance(0);
+  PresetDocument& document = workspace.documents.open("small");
+  ASSERT_TRUE(document.set("emitter[0].shape.radius_m", 1.5f).made);
+  const std::string mine = document.text();
+  const uint64_t edited = seen(workspace);
+  write("effects/small.toml", with(kEffect, "[0.5, 1.0]", "[2.5, 3.0]"));
+  workspace.advance(1);
+  using enum EffectDocuments::OnDisk;
+  EXPECT_EQ(workspace.documents.on_disk("small"), kChanged);
+  workspace.advance(2);
+  EXPECT_EQ(workspace.documents.on_disk("small"), kChanged) << "until it is decided";
+  EXPECT_EQ(edited, seen(workspace));
+  EXPECT_THROW(workspace.documents.save("small", PresetDocument::OverChanges::kRefuse), ChangedOnDisk);
+  workspace.documents.reload("small");
+  EXPECT_EQ(workspace.documents.on_disk("small"), kSame);
+  EXPECT_EQ(anew(), seen(workspace));
+  EXPECT_TRUE(workspace.documents.unsaved().empty());
+  ASSERT_TRUE(document.undo());
+  EXPECT_EQ(mine, document.text()) << "nothing is lost by reading";
+  fs::remove(root_ / "effects/small.toml");
+  workspace.advance(3);
+  EXPECT_EQ(workspace.documents.on_disk("small"), kGone);
+  workspace.documents.save("small", PresetDocument::OverChanges::kOverwrite);
+  EXPECT_EQ(workspace.documents.on_disk("small"), kSame);
+  EXPECT_EQ(anew(), seen(workspace));
+}
+
+TEST_F(EffectEdits, WhatTheSceneCannotBearIsRefusedAndTheLastGoodStays) {
+  Workspace workspace = open();
+  const uint64_t before = seen(workspace);
+  PresetDocument& document = workspace.documents.open("small");
+  ASSERT_TRUE(document.set("layer[0].name", std::string("front")).made);
+  EXPECT_EQ(before, seen(workspace));
+  EXPECT_NE(workspace.refused_edits().find("three.toml:"), std::string::npos) << workspace.refused_edits();
+  EXPECT_FALSE(workspace.advance(1)) << "it is not tried again and again";
+  ASSERT_TRUE(document.undo());
+  EXPECT_EQ(before, seen(workspace));
+  EXPECT_EQ(workspace.refused_edits(), "");
+}
+
+TEST_F(EffectEdits, AnEditThatBendsLightMakesTheImageForIt) {
+  Workspace workspace = open();
+  workspace.draw(kSize);
+  EXPECT_FALSE(workspace.a.targets->distortion);
+  PresetDocument& document = workspace.documents.open("small");
+  ASSERT_TRUE(document.set("emitter[0].look.opacity", Curve(0.0f)).made);
+  ASSERT_TRUE(document.set("emitter[0].look.distortion_deg", 2.0f).made);
+  workspace.draw(kSize);
+  EXPECT_TRUE(workspace.a.targets->distortion);
+}
+
+TEST_F(EffectEdits, EditsOutliveAnotherScene) {
+  Workspace workspace = open();
+  ASSERT_TRUE(workspace.documents.open("small").set("emitter[0].motion.speed", Range<float>{2, 3}).made);
+  workspace.switches.muted = {1};
+  const uint64_t edited = seen(workspace);
+  workspace.open_scene("three");
+  EXPECT_TRUE(workspace.switches.muted.empty()) << "instances are others";
+  workspace.playback.go_to(50);
+  EXPECT_NE(edited, seen(workspace));
+  workspace.switches.muted = {1};
+  EXPECT_EQ(edited, seen(workspace));
+}
+
+TEST_F(EffectEdits, ADroppedEffectStandsWhereOneClicksAndStartsThen) {
+  Workspace workspace = open();
+  workspace.draw(kSize);
+  EXPECT_FALSE(workspace.drop_effect("small", workspace.a, {0.5f, 0.1f})) << "the sky bears nothing";
+  ASSERT_TRUE(workspace.drop_effect("small", workspace.a, {0.25f, 0.9f}));
+  ASSERT_EQ(workspace.scene().instances.size(), 4u);
+  const Instance& dropped = workspace.scene().instances.back();
+  EXPECT_EQ(dropped.name, "small");
+  EXPECT_EQ(dropped.call_tick, 50u);
+  EXPECT_NEAR(dropped.position.y, 0, 1e-3);
+  const auto view = make_view(workspace.scene(), workspace.camera(), kSize, 50);
+  const glm::vec4 clip = view.view_projection * glm::vec4(dropped.position, 1);
+  EXPECT_NEAR(clip.x / clip.w * 0.5f + 0.5f, 0.25f, 0.5f / kSize.x + 1e-4f);
+  EXPECT_NEAR(clip.y / clip.w * 0.5f + 0.5f, 0.9f, 0.5f / kSize.y + 1e-4f);
+  workspace.playback.go_to(80);
+  workspace.draw(kSize);
+  EXPECT_TRUE(workspace.stage().demand()[3].awake) << workspace.stage().demand()[3].why;
+  ASSERT_TRUE(workspace.drop_effect("small", workspace.a, {0.25f, 0.9f}));
+  EXPECT_EQ(workspace.scene().instances.back().name, "small 2");
+  EXPECT_THROW(workspace.drop_effect("smal", workspace.a, {0.25f, 0.9f}), std::runtime_error);
+  EXPECT_EQ(workspace.scene().instances.size(), 5u);
+}
+
+TEST_F(EffectEdits, ACameraOffsetMovesParticlesToOtherSlices) {
+  Workspace workspace = open();
+  workspace.draw(kSize);
+  const auto emitters = emitter_depths(workspace.stage(), 0, workspace.camera());
+  ASSERT_EQ(emitters.size(), 1u);
+  EXPECT_EQ(emitters[0].offset_m, 1.0f) << "the scene says so of its layer";
+  const auto& depths = emitters[0].depths_m;
+  ASSERT_GT(depths.size(), 20u);
+  EXPECT_LE(depths.size(), 40u);
+  EXPECT_GT(depths.front(), 6 - 0.5 - 40 / 60.0 - 0.1) << "the camera is 6 m away, the ball 0.5 m wide";
+  EXPECT_LT(depths.back(), 6 + 0.5 + 40 / 60.0 + 0.1);
+  EXPECT_EQ(emitters[0].drawn_m(6, 0.1f), 5);
+  EXPECT_EQ(emitters[0].drawn_m(1.1f, 0.1f), 0.2f) << "nothing is drawn at the camera";
+  EXPECT_TRUE(emitter_depths(workspace.stage(), 2, workspace.camera()).empty()) << "not called";
+
+  const auto slices = depth_slices(*instance("avboit").method);
+  ASSERT_TRUE(slices);
+  EXPECT_EQ(slices->slice(0), 0);
+  EXPECT_EQ(slices->slice(slices->b), float(slices->count));
+  EXPECT_NEAR(slices->depth_m(slices->slice(7.5f)), 7.5f, 1e-4f);
+  EXPECT_LT(slices->slice(emitters[0].drawn_m(6, 0.1f)), slices->slice(6) - 1) << "another slice";
+  EXPECT_FALSE(depth_slices(*instance("wboit").method));
+}
+
+}  // namespace
+}  // namespace plume
