@@ -185,11 +185,12 @@ void hierarchy(Interface& interface) {
   text(fmt::format("{} of {} awake, {:.2f} MiB of particles", awake, demand.size(),
                    double(sum.bytes) / (1 << 20)));
   tooltip(fmt::format("{} ticks simulated, {} saved by sleeping", sum.ticks_simulated, sum.ticks_saved));
-  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const ImGuiID rows = ImGui::GetID("rows");  // that there were in the last picture
+  const float lines = std::min(float(ImGui::GetStateStorage()->GetInt(rows, 1)) + 0.5f, kTreeLines);
   if (!ImGui::BeginTable("hierarchy", 3,
                          ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter |
                              ImGuiTableFlags_Resizable,
-                         {0, kTreeLines * line}))
+                         {0, lines * ImGui::GetTextLineHeightWithSpacing()}))
     return;
   const float em = ImGui::GetFontSize();
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
@@ -200,6 +201,7 @@ void hierarchy(Interface& interface) {
     instance_row(interface, i, demand[i]);
     ImGui::PopID();
   }
+  ImGui::GetStateStorage()->SetInt(rows, ImGui::TableGetRowIndex() + 1);
   ImGui::EndTable();
 }
 

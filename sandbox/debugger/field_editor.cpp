@@ -293,11 +293,14 @@ struct Widget {
     return changed ? Wanted(value) : Wanted();
   }
   static bool cell_of(const Column& column, double& value) {
-    if (!column.whole) return edit_number("##value", value, column.limits);
+    const Limits limits{column.limits.min, column.limits.max};  // for the unit there is no room
     int64_t whole = int64_t(value);
-    if (!edit_number("##value", whole, column.limits)) return false;
-    value = double(whole);
-    return true;
+    const bool changed =
+        column.whole ? edit_number("##value", whole, limits) : edit_number("##value", value, limits);
+    if (wants_tooltip())
+      tooltip(fmt::format("{}: {}", column.name, limits_text(limits.min, limits.max, column.limits.unit)));
+    if (changed && column.whole) value = double(whole);
+    return changed;
   }
   void open(bool is_open) const { ImGui::GetStateStorage()->SetBool(ImGui::GetID("open"), is_open); }
   /// A small picture that opens the editor below.

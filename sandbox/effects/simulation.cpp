@@ -49,6 +49,18 @@ void Simulation::count_loops(const EmitterState& emitter) {
   }
 }
 
+/// A particle is a function of its own tick, so what reached that tick has its state whoever brought it
+/// there.
+void Simulation::adopt(Simulation& old, const std::vector<std::optional<uint32_t>>& was) {
+  for (EmitterState& emitter : instances_.emitters) {
+    if (!was[emitter.call]) continue;
+    const EmitterState& same = old.instances_.emitter_of(*was[emitter.call], emitter.index);
+    emitter.reached = same.reached;
+    emitter.base = same.base;
+  }
+  particles_ = std::move(old.particles_);
+}
+
 void Simulation::set_frozen(uint32_t call, bool frozen) {
   CallState& instance = instances_.calls.at(call);
   forget_after(instance, tick());
@@ -217,7 +229,7 @@ void Simulation::record(gpu::Pass& pass, const char* shader, const SpanList& lis
 std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick, const Views& views) {
   const bool jumped = !tick_ || tick != *tick_ + 1;
   pass_time(instances_, tick_, tick, views, script_);
-  const bool moved = decide(instances_, tick, views);
+  const bool moved = decide(instances_, tick, views) || !tick_;  // at first there are no tables
   gpu::Buffer old;
   std::vector<vk::BufferCopy> kept;
   if (moved) {

@@ -56,10 +56,26 @@ void Stage::revise(const SceneEdits& edits) {
   call_effects(std::move(effects), edits);
 }
 
+void Stage::add_instance(Instance instance, const SceneEdits& edits) {
+  scene_.instances.push_back(std::move(instance));
+  try {
+    revise(edits);
+  } catch (...) {
+    scene_.instances.pop_back();
+    throw;
+  }
+}
+
+bool Stage::is_revised(const std::string& effect, const SceneEdits& edits) const {
+  const auto is = edits.revisions.find(effect), was = revisions_.find(effect);
+  const auto number = [](auto place, const auto& map) { return place == map.end() ? 0 : place->second; };
+  return number(is, edits.revisions) != number(was, revisions_);
+}
+
 /// What stands is replaced only once all that comes is made.
 void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits) {
   std::vector<Call> calls;
-  std::vector<std::optional<uint32_t>> call_of(scene_.instances.size());
+  std::vector<std::optional<uint32_t>> call_of(scene_.instances.size()), was;
   for (size_t i = 0; i < scene_.instances.size(); ++i) {
     const Instance& instance = scene_.instances[i];
     if (!instance.call_tick || edits.muted.contains(i)) continue;
@@ -69,6 +85,8 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
     if (const auto frozen = edits.frozen.find(i); frozen != edits.frozen.end())
       freezes.push_back({frozen->second, kMaxTick});
     call_of[i] = uint32_t(calls.size());
+    const bool stays = i < call_of_.size() && !is_revised(instance.effect, edits);
+    was.push_back(stays ? call_of_[i] : std::nullopt);
     calls.push_back({.name = instance.name,
                      .effect = &effects.at(instance.effect),
                      .tick = *instance.call_tick,
@@ -90,11 +108,14 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
                                                              .cells = scene_.light.shadow_cells,
                                                              .fire_gain = scene_.light.fire_light},
                                              glowing);
-  simulation_ = std::make_unique<Simulation>(device_, pipelines_, std::move(calls), scene_.seed, scene_.wind,
-                                             scene_.solids, scene_.light.sun_direction);
+  auto simulation = std::make_unique<Simulation>(device_, pipelines_, std::move(calls), scene_.seed,
+                                                 scene_.wind, scene_.solids, scene_.light.sun_direction);
+  if (simulation_) simulation->adopt(*simulation_, was);
+  simulation_ = std::move(simulation);
   lighting_ = std::move(lighting);
   effects_ = std::move(effects);  // which keeps their addresses
   call_of_ = std::move(call_of);
+  revisions_ = edits.revisions;
 }
 
 void Stage::fit_cards(uint32_t count) {

@@ -21,10 +21,12 @@ class Stage {
         const SceneEdits& edits = {});
   Stage(const Stage&) = delete;  // transparents() points into it
 
-  /// Takes other edits instead of those it has. No particle is kept: the next go_to() seeks, to the same bits
-  /// as a stage made with them. Throws FileErrors when the scene cannot bear them, and leaves everything as
-  /// it was.
+  /// Takes other edits instead of those it has. What an edit touches is sought anew by the next go_to(), to
+  /// the same bits as in a stage made with them. Throws FileErrors when the scene cannot bear them, and
+  /// leaves everything as it was.
   void revise(const SceneEdits& edits);
+  /// One more, after the others; likewise. Throws what the library throws, too.
+  void add_instance(Instance instance, const SceneEdits& edits);
 
   /// Simulates to `tick` and looks from `camera` (nothing: the scene's own).
   std::vector<gpu::PassTime> go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera = {});
@@ -49,6 +51,7 @@ class Stage {
  private:
   std::map<std::string, Effect> effects_with(const SceneEdits& edits);
   void call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits);
+  bool is_revised(const std::string& effect, const SceneEdits& edits) const;
   void fit_cards(uint32_t count);
   std::vector<CardGroup> card_groups() const;
 
@@ -57,6 +60,7 @@ class Stage {
   const PresetLibrary& library_;
   Scene scene_;
   std::map<std::string, Effect> from_library_, effects_;  ///< by the name that the scene calls them
+  std::map<std::string, uint64_t> revisions_;
   std::vector<std::optional<uint32_t>> call_of_;
   gpu::Image puffs_;
   OpaqueScene opaque_;

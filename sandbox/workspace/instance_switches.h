@@ -3,6 +3,7 @@
 #ifndef PLUME_WORKSPACE_INSTANCE_SWITCHES_H
 #define PLUME_WORKSPACE_INSTANCE_SWITCHES_H
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>

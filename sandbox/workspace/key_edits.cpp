@@ -19,7 +19,8 @@ std::optional<size_t> insert(Keys& keys, typename Keys::value_type key) {
   const bool crowded = (next != keys.end() && next->at - key.at < kKeyDistance) ||
                        (next != keys.begin() && key.at - std::prev(next)->at < kKeyDistance);
   if (crowded || key.at < 0 || key.at > 1) return {};
-  return size_t(keys.insert(next, key) - keys.begin());
+  const auto place = keys.insert(next, key);
+  return size_t(place - keys.begin());
 }
 
 template <class Keys>

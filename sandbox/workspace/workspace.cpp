@@ -58,6 +58,7 @@ void Workspace::open_documents() {
 
 SceneEdits Workspace::edits() const {
   return {.effects = documents.edited(),
+          .revisions = documents.revisions(),
           .muted = switches.silent(scene().instances.size()),
           .frozen = switches.frozen};
 }
@@ -80,8 +81,9 @@ void Workspace::open_scene(const std::string& id) {
   if (auto unknown = check_references(scene, library_); !unknown.empty())
     throw FileErrors(std::move(unknown));
   const Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
-  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene),
-                                   SceneEdits{.effects = documents.edited()});
+  stage_ =
+      std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene),
+                              SceneEdits{.effects = documents.edited(), .revisions = documents.revisions()});
   ++scene_version_;
   switches = {};
   applied_ = wanted_edits();
@@ -108,15 +110,15 @@ bool Workspace::drop_effect(const std::string& effect, Side& side, glm::vec2 pla
   const auto view = make_view(scene(), camera(), side.targets->size, playback.tick());
   const auto surface = surface_at(device_, *side.targets, view, place);
   if (!surface) return false;
-  Scene changed = scene();
-  changed.instances.push_back({.name = unused_name(changed, effect),
-                               .effect = effect,
-                               .call_tick = playback.tick(),
-                               .position = *surface,
-                               .seed = uint32_t(changed.instances.size())});
-  if (auto mistakes = check_references(changed, library_, documents.edited()); !mistakes.empty())
-    throw FileErrors(std::move(mistakes));
-  change_scene([&](Scene& scene) { scene = std::move(changed); });
+  stage_->add_instance({.name = unused_name(scene(), effect),
+                        .effect = effect,
+                        .call_tick = playback.tick(),
+                        .position = *surface,
+                        .seed = uint32_t(scene().instances.size())},
+                       edits());
+  applied_ = wanted_edits();
+  open_documents();
+  change();
   return true;
 }
 

@@ -35,7 +35,7 @@ position = [0.0, 1.0, 6.0]
 target = [0.0, 1.0, 0.0]
 [[solid]]
 kind = "plane"
-size_m = [40.0, 1.0, 40.0]
+size_m = [40.0, 40.0]
 [[instance]]
 name = "it"
 effect = "small"

@@ -45,7 +45,7 @@ position = [0.0, 1.0, 6.0]
 target = [0.0, 1.0, 0.0]
 [[solid]]
 kind = "plane"
-size_m = [40.0, 1.0, 40.0]
+size_m = [40.0, 40.0]
 [[instance]]
 name = "left"
 effect = "small"
@@ -176,7 +176,7 @@ TEST_F(EffectEdits, ABrokenFileKeepsTheLastGoodEffectAndSaysWhere) {
   EXPECT_EQ(before, seen(workspace));
   const auto& diagnostics = workspace.documents.open("small").diagnostics();
   ASSERT_EQ(diagnostics.size(), 1u);
-  EXPECT_EQ(to_string(diagnostics[0]).rfind((root_ / "effects/small.toml").string() + ":16:17: ", 0), 0u)
+  EXPECT_EQ(to_string(diagnostics[0]).rfind((root_ / "effects/small.toml").string() + ":17:17: ", 0), 0u)
       << to_string(diagnostics[0]);
   write("effects/small.toml", with(kEffect, "[0.5, 1.0]", "[2.5, 3.0]"));
   workspace.advance(1.1);
@@ -227,6 +227,24 @@ TEST_F(EffectEdits, WhatTheSceneCannotBearIsRefusedAndTheLastGoodStays) {
   ASSERT_TRUE(document.undo());
   EXPECT_EQ(before, seen(workspace));
   EXPECT_EQ(workspace.refused_edits(), "");
+}
+
+TEST_F(EffectEdits, WhatIsNotEditedIsNotBroughtFromItsBirthAgain) {
+  Workspace workspace = open();
+  workspace.draw(kSize);
+  ASSERT_TRUE(workspace.documents.open("small").set("emitter[0].look.opacity", Curve(0.9f)).made);
+  workspace.draw(kSize);
+  auto demand = workspace.stage().demand();
+  EXPECT_GT(demand[0].ticks_simulated, 0u);
+  EXPECT_EQ(demand[1].ticks_simulated, 0u);
+  EXPECT_TRUE(demand[1].why.starts_with("has ")) << demand[1].why;
+  workspace.switches.muted = {0};
+  const uint64_t right = seen(workspace);
+  EXPECT_EQ(workspace.stage().demand()[1].ticks_simulated, 0u);
+  EXPECT_EQ(right, anew([](Scene& scene) { scene.instances.erase(scene.instances.begin()); }));
+  ASSERT_TRUE(workspace.drop_effect("other", workspace.a, {0.5f, 0.9f}));
+  workspace.draw(kSize);
+  EXPECT_EQ(workspace.stage().demand()[1].ticks_simulated, 0u);
 }
 
 TEST_F(EffectEdits, AnEditThatBendsLightMakesTheImageForIt) {
