@@ -73,7 +73,7 @@ Targets::Targets(gpu::Device& device, glm::uvec2 picture_size, const Post& wante
 
 FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const Targets& targets,
                          const Prelude& prelude, const Transparents& transparents, MethodInstance& instance,
-                         const Probe* probe) {
+                         const Probe* probe, const Glance* glance) {
   FrameReport report;
   const Outputs wanted = wanted_now(targets, transparents), writes = instance.method->outputs();
   const Outputs written{.distortion = wanted.distortion && writes.distortion,
@@ -106,6 +106,7 @@ FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const T
     method.record(picture);
     const size_t own_end = frame.pass_count();
     if (probe) method.probe(picture, *probe);
+    if (glance) record_glance(picture, method, *glance);
     chain.record(frame, *transparents.view);
     show(frame, targets, *transparents.view);
     report.passes = frame.finish();

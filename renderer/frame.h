@@ -3,6 +3,7 @@
 #ifndef PLUME_RENDERER_FRAME_H
 #define PLUME_RENDERER_FRAME_H
 
+#include "renderer/glance.h"
 #include "renderer/probe.h"
 
 namespace plume {
@@ -61,10 +62,10 @@ struct FrameReport {
   std::vector<std::string> left_out;  ///< outputs that the picture wants and the method does not write
 };
 
-/// Draws one frame and waits for it; with a probe, lets the method answer it.
+/// Draws one frame and waits for it; with a probe, lets the method answer it; with a glance, takes that too.
 FrameReport render_frame(gpu::Device& device, gpu::Pipelines& pipelines, const Targets& targets,
                          const Prelude& prelude, const Transparents& transparents, MethodInstance& instance,
-                         const Probe* probe = nullptr);
+                         const Probe* probe = nullptr, const Glance* glance = nullptr);
 
 }  // namespace plume
 #endif

@@ -151,4 +151,19 @@ std::vector<std::byte> read_bytes(Device& device, const Image& image) {
   return {mapped.begin(), mapped.end()};
 }
 
+void write_bytes(Device& device, const Image& image, std::span<const std::byte> texels) {
+  const auto extent = image.extent();
+  if (texels.size() != size_t(extent.width) * extent.height * texel_bytes(image.format()))
+    throw std::invalid_argument(
+        fmt::format("{} bytes do not fill an image of {}x{}", texels.size(), extent.width, extent.height));
+  const Buffer staging = staging_buffer(device, texels.size());
+  std::memcpy(staging.mapped<std::byte>().data(), texels.data(), texels.size());
+  device.immediate([&](const vk::raii::CommandBuffer& commands) {
+    commands.copyBufferToImage(
+        staging.vk(), image.vk(), vk::ImageLayout::eGeneral,
+        vk::BufferImageCopy{.imageSubresource = {.aspectMask = image.aspect(), .layerCount = 1},
+                            .imageExtent = extent});
+  });
+}
+
 }  // namespace plume::gpu

@@ -89,6 +89,9 @@ class Image {
 std::vector<std::byte> read_bytes(Device& device, const Buffer& buffer);
 std::vector<std::byte> read_bytes(Device& device, const Image& image);
 
+/// Copies texels, row by row, to a plain 2-D image. Waits for the device.
+void write_bytes(Device& device, const Image& image, std::span<const std::byte> texels);
+
 template <class T, class Resource>
 std::vector<T> read(Device& device, const Resource& resource) {
   const auto bytes = read_bytes(device, resource);

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "renderer/inspection.h"
 #include "renderer/parameters.h"
 #include "renderer/transparents.h"
 
@@ -87,7 +88,11 @@ struct Picture {
   gpu::Area area() const { return {size.x, size.y}; }
 };
 
+/// The draw of all cards in front of opaque things, without a shader.
+Transparents::Style front_of_opaque(const Picture& picture);
+
 struct Probe;
+struct Glance;
 
 /// View depths at one pixel, m, for people who look at its transmittance. Empty where a method has no such
 /// thing.
@@ -145,6 +150,18 @@ class Method {
                                  glm::uvec2 /*pixel*/) const {
     return {};
   }
+  /// What can be looked at in it as it is set, and, as probe() is, a glance at one of these. See
+  /// renderer/glance.h.
+  virtual std::vector<Inspection> inspections() const { return {}; }
+  virtual void inspect(const Picture&, const Glance&) const {}
+  /// The draws that shade colour, as record() just issued them: what a glance at the shaded fragments draws
+  /// again, to count.
+  virtual std::vector<Transparents::Style> shading(const Picture& picture) const {
+    return {front_of_opaque(picture)};
+  }
+  /// Slices of the last frame that hold something, front to back, where it cuts depth into slices. May wait
+  /// for the device.
+  virtual std::vector<DepthSlice> depth_slices(gpu::Device&, const Resources&) const { return {}; }
   /// What the last frame tells of itself beyond its passes, name -> number; for reports. May wait for the
   /// device.
   virtual nlohmann::json statistics(gpu::Device&, const Resources&) const { return nlohmann::json::object(); }

@@ -9,6 +9,16 @@ vk::Extent3D extent_of(const ImageNeed& need, glm::uvec2 size) {
 
 }  // namespace
 
+Transparents::Style front_of_opaque(const Picture& picture) {
+  return {.fragment = "",
+          .targets = {},
+          .depth_test = &picture.opaque_depth,
+          .opaque_depth = &picture.opaque_depth,
+          .area = picture.area(),
+          .constants = {},
+          .bindings = {}};
+}
+
 uint64_t bytes_of(const Needs& needs, glm::uvec2 size) {
   uint64_t bytes = 0;
   for (const ImageNeed& need : needs.images) {

@@ -68,11 +68,15 @@ class Wboit final : public Method {
     const Weighted blend = weighted();
     if (particles_ != 0) blend.record_low_depth(picture);
     picture.frame.pass("draw", [&](gpu::Pass& pass) {
-      draw(pass, picture, false);
-      if (particles_ != 0) draw(pass, picture, true);
+      for (const Transparents::Style& draw : shading(picture)) picture.transparents.draw(pass, draw);
     });
     blend.record_resolve(picture);
     blend.record_outputs(picture, "methods/wboit", constants());
+  }
+
+  std::vector<Transparents::Style> shading(const Picture& picture) const override {
+    if (particles_ == 0) return {draw(picture, false)};
+    return {draw(picture, false), draw(picture, true)};
   }
 
   void probe(const Picture& picture, const Probe& probe) const override {
@@ -92,23 +96,22 @@ class Wboit final : public Method {
   gpu::Constants constants() const {
     return {uint32_t(weight_), std::bit_cast<uint32_t>(depth_scale_), weighted().low_divisor};
   }
-  void draw(gpu::Pass& pass, const Picture& picture, bool low) const {
+  Transparents::Style draw(const Picture& picture, bool low) const {
     const Weighted blend = weighted();
     const gpu::Image& depth = low ? blend.low_depth(picture.resources) : picture.opaque_depth;
     const glm::uvec2 size = low ? blend.low_size(picture.size) : picture.size;
     gpu::Constants with = constants();
     with.push_back(low ? 1u : 0u);
-    picture.transparents.draw(
-        pass, {.fragment = "methods/wboit/draw.frag",
-               .targets = low ? blend.low_targets(picture.resources) : blend.targets(picture.resources),
-               .depth_test = &depth,
-               .opaque_depth = &depth,
-               .area = {size.x, size.y},
-               .vertex = particles_ == 0 ? "surface/card.vert" : "methods/wboit/cards_of_kind.vert",
-               .constants = with,
-               .bindings = {},
-               .count_fragments = true,
-               .covered = low ? blend.low_covered(picture.size) : glm::vec2(1.0f)});
+    return {.fragment = "methods/wboit/draw.frag",
+            .targets = low ? blend.low_targets(picture.resources) : blend.targets(picture.resources),
+            .depth_test = &depth,
+            .opaque_depth = &depth,
+            .area = {size.x, size.y},
+            .vertex = particles_ == 0 ? "surface/card.vert" : "methods/wboit/cards_of_kind.vert",
+            .constants = with,
+            .bindings = {},
+            .count_fragments = true,
+            .covered = low ? blend.low_covered(picture.size) : glm::vec2(1.0f)};
   }
 
   int weight_ = 0;
