@@ -50,13 +50,13 @@ gpu::Bindings transmittance_bindings(const Picture& picture) {
           {"integral_b", image("integral_b")}};
 }
 
-void record_accumulate(const Picture& picture, const Plan& plan) {
+std::vector<Transparents::Style> shading(const Picture& picture, const Plan& plan) {
   const auto image = [&](const std::string& name) { return &picture.resources.image(name); };
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   const Settings& s = plan.settings;
   const Colour colour = plan.colour();
 
-  const auto draw = [&](gpu::Pass& pass, uint32_t card_class) {
+  const auto draw = [&](uint32_t card_class) -> Transparents::Style {
     const uint32_t kind = card_class / 4;
     const bool exact = kind == shared::kKindExact, behind_rgb = card_class & shared::kBehindRgb,
                behind_layers = card_class & shared::kBehindLayers;
@@ -78,23 +78,37 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     const uint32_t lane_bits =
         kind == shared::kKindRgb && plan.rgb ? (plan.rgb_words() == 1 ? 8u : 32u) : s.lane_bits();
     const glm::uvec2 area = half ? (plan.size + 1u) / 2u : plan.size;
-    picture.transparents.draw(
-        pass, {.fragment = "methods/avboit/accumulate.frag",
-               .targets = std::move(targets),
-               .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
-               .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
-               .area = {area.x, area.y},
-               .vertex = "methods/avboit/card_at_slice.vert",
-               .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
-                             tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
-                             behind_layers ? 1u : 0u, exact ? 1u : 0u, lane_bits, half ? 2u : 1u},
-               .bindings = transmittance_bindings(picture),
-               .order = buffer("class_order"),
-               .indirect = buffer("class_draws"),
-               .indirect_index = card_class,
-               .count_fragments = true,
-               .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))});
+    return {.fragment = "methods/avboit/accumulate.frag",
+            .targets = std::move(targets),
+            .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
+            .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
+            .area = {area.x, area.y},
+            .vertex = "methods/avboit/card_at_slice.vert",
+            .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
+                          tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
+                          behind_layers ? 1u : 0u, exact ? 1u : 0u, lane_bits, half ? 2u : 1u},
+            .bindings = transmittance_bindings(picture),
+            .order = buffer("class_order"),
+            .indirect = buffer("class_draws"),
+            .indirect_index = card_class,
+            .count_fragments = true,
+            .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))};
   };
+  std::vector<Transparents::Style> draws;
+  for (uint32_t c = 0; c < shared::kClasses; ++c) {
+    const uint32_t kind = c / 4;
+    const bool behind_rgb = c & shared::kBehindRgb, behind_layers = c & shared::kBehindLayers;
+    if (kind == shared::kKindRgb && !plan.coloured) continue;
+    if (kind == shared::kKindExact && !behind_layers) continue;
+    if (behind_rgb && !plan.rgb) continue;
+    if (behind_layers && plan.volume.exact_layers == 0 && kind != shared::kKindExact) continue;
+    draws.push_back(draw(c));
+  }
+  return draws;
+}
+
+void record_accumulate(const Picture& picture, const Plan& plan) {
+  const auto image = [&](const std::string& name) { return &picture.resources.image(name); };
   picture.frame.pass("draw", [&](gpu::Pass& pass) {
     for (const char* end : {"", "_half"}) {
       pass.clear(*image(std::string("light") + end), {0, 0, 0, 1});
@@ -105,15 +119,7 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
     pass.clear(*image("known_light"), {0, 0, 0, 0});
     pass.clear(*image("known_norm"), {0, 0, 0, 0});
     pass.barrier();
-    for (uint32_t c = 0; c < shared::kClasses; ++c) {
-      const uint32_t kind = c / 4;
-      const bool behind_rgb = c & shared::kBehindRgb, behind_layers = c & shared::kBehindLayers;
-      if (kind == shared::kKindRgb && !plan.coloured) continue;
-      if (kind == shared::kKindExact && !behind_layers) continue;
-      if (behind_rgb && !plan.rgb) continue;
-      if (behind_layers && plan.volume.exact_layers == 0 && kind != shared::kKindExact) continue;
-      draw(pass, c);
-    }
+    for (const Transparents::Style& draw : shading(picture, plan)) picture.transparents.draw(pass, draw);
   });
 }
 

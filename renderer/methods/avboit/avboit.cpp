@@ -68,6 +68,18 @@ class Avboit final : public Method {
     avboit::record_outputs(picture, *drawn_);
   }
 
+  std::vector<Inspection> inspections() const override { return avboit::inspections(settings_); }
+  void inspect(const Picture& picture, const Glance& glance) const override {
+    avboit::record_inspection(picture, *drawn_, glance);
+  }
+  std::vector<Transparents::Style> shading(const Picture& picture) const override {
+    return avboit::shading(picture, *drawn_);
+  }
+  std::vector<DepthSlice> depth_slices(gpu::Device& device, const Resources& resources) const override {
+    if (!drawn_) return {};
+    return avboit::depth_slices(device, resources, *drawn_);
+  }
+
   void probe(const Picture& picture, const Probe& probe) const override {
     avboit::record_probe(picture, *drawn_, probe);
   }

@@ -87,11 +87,19 @@ void add_resolve_needs(Needs& needs, const Plan& plan);
 void record_resolve(const Picture& picture, const Plan& plan);
 
 void add_accumulate_needs(Needs& needs, const Plan& plan);
-/// draw: every fragment weighted by its transmittance.
+/// The draws of every fragment weighted by its transmittance.
+std::vector<Transparents::Style> shading(const Picture& picture, const Plan& plan);
+/// draw: all of them.
 void record_accumulate(const Picture& picture, const Plan& plan);
 
 /// distortion, surface: where the picture wants them, weighted by the same transmittance.
 void record_outputs(const Picture& picture, const Plan& plan);
+
+/// What can be looked at, and a glance at one of these.
+std::vector<Inspection> inspections(const Settings& settings);
+void record_inspection(const Picture& picture, const Plan& plan, const Glance& glance);
+/// Of the last frame of this plan. Waits for the device.
+std::vector<DepthSlice> depth_slices(gpu::Device& device, const Resources& resources, const Plan& plan);
 
 /// probe: what the frame believes of one pixel.
 void record_probe(const Picture& picture, const Plan& plan, const Probe& probe);

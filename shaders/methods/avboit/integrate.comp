@@ -7,19 +7,14 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_image_load_formatted : require
 #include "methods/avboit/occupied.glsl"
-#include "methods/avboit/fields.glsl"
+#include "methods/avboit/extinction.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 1) const uint kLaneBits = 16u;
-layout(constant_id = 2) const uint kRgbWords = 3u;         // of extinction a slice: 0 in layers, 1 packed, 3 apart
-layout(constant_id = 5) const uint kRaster = 0u;           // scalar extinction is in layers, as transmittance
 layout(constant_id = 6) const uint kRgb = 0u;              // RGB sources are there
 layout(constant_id = 3) const uint kTransmittance = 0u;    // stored instead of optical depth
 layout(constant_id = 4) const uint kEightBits = 0u;        // transmittance rounded as an 8-bit image would
-layout(scalar, binding = 11) readonly buffer Extinction { uint extinction[]; };
 layout(scalar, binding = 12) readonly buffer Overflow { uint overflow[]; };
 layout(binding = 13) writeonly uniform image2DArray integral;
-layout(scalar, binding = 14) readonly buffer ExtinctionRgb { uint extinction_rgb[]; };
 layout(scalar, binding = 15) readonly buffer OverflowRgb { uint overflow_rgb[]; };
 layout(binding = 16) writeonly uniform image2DArray integral_rg;   // of all sources: (r before, r behind, g before, g behind)
 layout(scalar, binding = 17) writeonly buffer ZeroSlice { uint zero_slice[]; };
@@ -27,35 +22,10 @@ layout(scalar, binding = 18) writeonly buffer RgbStart { uint rgb_start[]; };   
 layout(binding = 19) writeonly uniform image2DArray integral_b;
 layout(scalar, binding = 9) readonly buffer WarpTable { DepthWarp warp; };
 
-layout(binding = 20) uniform sampler2DArray extinction_layers;
-layout(binding = 21) uniform sampler2DArray extinction_layers_rgb;
-
-float depth_left(float through) { return through > 0.0 ? -log(through) : kSaturatedDepth; }
-
 float stored(float tau) {
   if (kTransmittance == 0u) return tau;
   const float t = tau >= kSaturatedDepth ? 0.0 : exp(-tau);
   return kEightBits != 0u ? round(t * 255.0) / 255.0 : t;
-}
-
-float scalar_depth(ivec2 cell, uint ray, uint slice) {
-  if (kRaster != 0u) return depth_left(texelFetch(extinction_layers, ivec3(cell, slice), 0).r);
-  const uint lanes = 32u / kLaneBits;
-  const uint word = extinction[ray * (volume.slices / lanes) + slice / lanes];
-  return float((word >> (kLaneBits * (slice % lanes))) & full_field(kLaneBits)) / steps_per_depth(kLaneBits);
-}
-
-vec3 rgb_depth(ivec2 cell, uint ray, uint slice) {
-  if (kRgbWords == 0u) {
-    const vec3 through = texelFetch(extinction_layers_rgb, ivec3(cell, slice), 0).rgb;
-    return vec3(depth_left(through.r), depth_left(through.g), depth_left(through.b));
-  }
-  if (kRgbWords == 1u) {
-    const uint word = extinction_rgb[ray * volume.slices + slice];
-    return vec3(uvec3(word, word >> 10, word >> 20) & 1023u) / steps_per_depth(8u);
-  }
-  const uint first = (ray * volume.slices + slice) * 3u;
-  return vec3(extinction_rgb[first], extinction_rgb[first + 1u], extinction_rgb[first + 2u]) / steps_per_depth(32u);
 }
 
 void main() {

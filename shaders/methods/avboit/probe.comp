@@ -9,23 +9,11 @@ layout(scalar, binding = 0) uniform View { ViewData view; };
 
 #include "methods/avboit/sharp.glsl"
 #include "methods/avboit/transmittance.glsl"
+#include "methods/avboit/integrated.glsl"
 #include "probe/probe.glsl"
 
-layout(constant_id = 3) const uint kSparse = 1u;
 layout(constant_id = 4) const uint kEachChannel = 0u;   // 0: what is seen is weighted by one transmittance for all
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 15) readonly buffer Occupancy { uint occupancy[]; };   // [scalar, rgb][tile][kMaskWords]
-
-// The nearest place in front of `place`, or itself, that has been integrated; negative where nothing lies in front.
-float integrated(uint tile, float place) {
-  if (kSparse == 0u) return place;
-  for (int slice = int(floor(place)); slice >= 0; --slice) {
-    uint mask = occupancy[tile * kMaskWords + slice / 32];
-    if (kRgb != 0u) mask |= occupancy[(volume.tiles.x * volume.tiles.y + tile) * kMaskWords + slice / 32];
-    if ((mask >> (slice % 32) & 1u) != 0u) return min(place, float(slice) + 0.99999);
-  }
-  return -1.0;
-}
 
 // Nothing was splatted around a depth that no slice holds: there the ray is read where it is.
 bool in_empty_space(float depth) {
@@ -34,10 +22,9 @@ bool in_empty_space(float depth) {
 }
 
 vec3 around_light(uvec2 pixel, float depth) {
-  const uvec2 tile = pixel / (volume.divisor * kTileCells);
   const float p = slice_at(depth), end = float(warp.used) - 0.00001;
   const float place = kSampling == 4u && in_empty_space(depth) ? p - 0.00001 : reading_place(p);
-  const float read = integrated(tile.y * volume.tiles.x + tile.x, min(place, end));
+  const float read = integrated(tile_of(pixel), min(place, end));
   if (read < 0.0) return vec3(1.0);
   const vec3 value = value_at((vec2(pixel) + 0.5) / vec2(volume.cells * volume.divisor), read);
   const vec3 t = kSampling == 4u ? exp(-value) : value;
