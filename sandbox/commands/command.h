@@ -77,6 +77,7 @@ void add_open(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_replay(CLI::App& program, Run& run);
 void add_probe(CLI::App& program, Run& run);
+void add_inspect(CLI::App& program, Run& run);
 void add_diff(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_list(CLI::App& program, Run& run);
