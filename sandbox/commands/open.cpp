@@ -11,7 +11,7 @@ namespace plume {
 namespace {
 
 struct OpenFlags : DrawFlags {
-  std::string scene = "street", screenshot, dump;
+  std::string scene = "street", screenshot, dump, view;
   std::vector<double> crosshair;
   std::vector<std::string> crosshair_methods;
   std::optional<uint32_t> tick;
@@ -37,6 +37,8 @@ int run_open(const OpenFlags& flags) {
   {
     Workspace workspace(session.device, session.pipelines, library, std::move(scene), playback);
     if (session.device.info().is_cpu) workspace.resolution.set_step(2);  // half, which a CPU can draw
+    if (const auto view = Inspector::find(*workspace.a.method().method, flags.view))
+      workspace.a.view.choose(*view);
     Viewer viewer(window, workspace);
     if (!flags.crosshair.empty())
       viewer.place_crosshair({flags.crosshair[0], flags.crosshair[1]}, flags.crosshair_methods);
@@ -98,6 +100,7 @@ void add_open(CLI::App& program, Run& run) {
       ->delimiter(',')
       ->group(hidden);
   command->add_option("--dump", flags->dump, "JSON of what the crosshair shows at the end")->group(hidden);
+  command->add_option("--view", flags->view, "that side A shows at first")->group(hidden);
   command->callback([flags, &run] { run = [flags] { return run_open(*flags); }; });
 }
 

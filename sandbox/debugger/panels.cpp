@@ -12,6 +12,7 @@
 #include "sandbox/debugger/scene_panel.h"
 #include "sandbox/debugger/timeline.h"
 #include "sandbox/debugger/timings_panel.h"
+#include "sandbox/debugger/view_panel.h"
 #include "sandbox/debugger/viewport_marks.h"
 #include "sandbox/debugger/widget_places.h"
 
@@ -28,6 +29,7 @@ struct Panel {
 
 constexpr std::array kPanels{
     Panel{"Scene", Dock::kLeft, scene_panel},
+    Panel{"View", Dock::kLeft, view_panel},
     Panel{"Effects", Dock::kLeft, effects_panel},
     Panel{"Method", Dock::kRight, method_panel},
     Panel{"Cost", Dock::kRight, timings_panel},
@@ -103,6 +105,7 @@ Area describe_panels(Interface& interface) {
   }
   picture.size = glm::max(picture.size, glm::vec2(1));
   mark_viewport(interface, picture);
+  mark_views(interface, picture);
   mark_crosshair(interface, picture);
   ask_about_files(interface);
   describe_problem(interface, picture);

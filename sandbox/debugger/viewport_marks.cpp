@@ -25,8 +25,11 @@ void mark_viewport(Interface& interface, Area picture) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const float gap = 0.5f * ImGui::GetFontSize(), top = picture.corner.y + gap;
   const float left = picture.corner.x, right = left + picture.size.x;
-  if (workspace.shows(workspace.a)) label(draw, {left + gap, top}, "A: " + workspace.a.method().owner, false);
-  if (workspace.shows(workspace.b)) label(draw, {right - gap, top}, "B: " + workspace.b.method().owner, true);
+  const auto name = [](const char* side, Side& of) {
+    return side + of.method().owner + (of.view.shown ? ", " + of.view.shown->what.title : "");
+  };
+  if (workspace.shows(workspace.a)) label(draw, {left + gap, top}, name("A: ", workspace.a), false);
+  if (workspace.shows(workspace.b)) label(draw, {right - gap, top}, name("B: ", workspace.b), true);
   if (workspace.comparison() != Comparison::kSplit) return;
   const float x = std::round(left + workspace.divider * picture.size.x) + 0.5f;
   const float bottom = picture.corner.y + picture.size.y, middle = picture.corner.y + 0.5f * picture.size.y;

@@ -210,8 +210,9 @@ void Workspace::draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::Pa
     side.targets.emplace(device_, size, stage_->post());
     side.timings.clear();
   }
-  side.report = render_frame(device_, pipelines_, *side.targets, stage_->prelude(), stage_->transparents(),
-                             side.method());
+  const Prelude prelude = stage_->prelude();
+  side.report = side.view.draw({device_, pipelines_, *side.targets, prelude, stage_->transparents()},
+                               side.method(), inspector_);
   auto passes = simulation;
   passes.insert(passes.end(), side.report.passes.begin(), side.report.passes.end());
   side.timings.add(passes);

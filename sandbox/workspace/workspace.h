@@ -13,6 +13,7 @@
 #include "sandbox/workspace/instance_switches.h"
 #include "sandbox/workspace/playback.h"
 #include "sandbox/workspace/resolution_control.h"
+#include "sandbox/workspace/side_view.h"
 
 namespace plume {
 
@@ -23,6 +24,7 @@ struct Side {
   std::optional<Targets> targets;  ///< nothing: it is not drawn
   TimingHistory timings;
   FrameReport report;  ///< of the last drawing
+  SideView view;       ///< instead of the picture
 
   MethodInstance& method() { return methods[current]; }
 };
@@ -137,6 +139,7 @@ class Workspace {
   bool outdated_ = true;
   double frame_ms_ = 0;  // that drawing took last
   uint64_t picture_ = 0;
+  Inspector inspector_;
 };
 
 }  // namespace plume

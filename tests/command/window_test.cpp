@@ -90,6 +90,19 @@ TEST_F(WindowTest, ShowsWhatCompareDraws) {
   EXPECT_EQ(picture.pixels, read_png(at("out/street_000200_avboit.png")).pixels);
 }
 
+TEST_F(WindowTest, ShowsTheViewsThatInspectWrites) {
+  for (const char* view : {"culling_depth", "flip"}) {
+    const Outcome outcome = open({"open", "street", "--at", "200", "--view", view});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const DisplayImage picture = read_png(at("window.png"));
+    ASSERT_EQ(run({"inspect", "street", "--at", "200", "--view", view, "--out", "view.png", "--size",
+                   size_text(picture.width, picture.height)})
+                  .exit_code,
+              0);
+    EXPECT_EQ(picture.pixels, read_png(at("view.png")).pixels) << view;
+  }
+}
+
 TEST_F(WindowTest, SeedChangesThePicture) {
   ASSERT_EQ(open({"open", "street", "--at", "200"}).exit_code, 0);
   const auto before = read_png(at("window.png")).pixels;
