@@ -191,7 +191,8 @@ void Workspace::draw(glm::uvec2 area) {
 bool Workspace::measure_accuracy() {
   bool measured = false;
   for (Side* side : {&a, &b}) {
-    if (outdated_ || !shows(*side) || !side->targets || accuracy_.has(side->method())) continue;
+    if (outdated_ || !shows(*side) || !side->targets || side->view.shown || accuracy_.has(side->method()))
+      continue;
     measured = true;
     const DrawnPicture picture = read_picture(device_, *side->targets);
     if (!accuracy_.has_reference()) {
