@@ -11,8 +11,8 @@ constexpr ImU32 kMagenta = IM_COL32(255, 0, 255, 255), kOutline = IM_COL32(0, 0,
 constexpr float kArm = 2.2f, kGap = 0.35f;  // lines of text
 
 void line(ImDrawList& draw, ImVec2 from, ImVec2 to) {
-  draw.AddLine(from, to, kOutline, 3);
-  draw.AddLine(from, to, kMagenta, 1);
+  draw.AddLine(from, to, kOutline, 4);
+  draw.AddLine(from, to, kMagenta, 2);
 }
 
 }  // namespace

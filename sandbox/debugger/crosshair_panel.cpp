@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sandbox/debugger/depth_graph.h"
 #include "sandbox/debugger/widgets.h"
@@ -94,6 +93,18 @@ std::string shares(glm::vec3 t, bool each_channel, bool is_signed) {
                    : fmt::format("{:.3f} {:.3f} {:.3f}", t.r, t.g, t.b);
 }
 
+/// Its colour, to see and to read.
+void swatch(const PixelFragment& f) {
+  const glm::vec3 shown = glm::sqrt(glm::clamp(f.color + f.emission, 0.0f, 1.0f));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetFontSize();
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 2}, {at.x + line, at.y + line - 1},
+                                            ImGui::ColorConvertFloat4ToU32({shown.r, shown.g, shown.b, 1}));
+  ImGui::Dummy({line, 1});
+  ImGui::SameLine(0, 4);
+  text(fmt::format("{:.2f} {:.2f} {:.2f}", f.color.r, f.color.g, f.color.b));
+}
+
 /// Which fragment the pointer is on, if any.
 std::optional<size_t> fragment_table(const PixelProbe& probe, size_t chosen, bool each_channel) {
   std::optional<size_t> pointed_at;
@@ -103,11 +114,12 @@ std::optional<size_t> fragment_table(const PixelProbe& probe, size_t chosen, boo
                           ImGuiTableFlags_ScrollX | ImGuiTableFlags_BordersInnerV;
   if (!ImGui::BeginTable("fragments", method ? 7 : 5, kFlags)) return pointed_at;
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const char* name : {"depth, m", "of", "colour", "alpha", "seen, exact"}) ImGui::TableSetupColumn(name);
+  for (const char* name : {"depth, m", "alpha", "seen, exact"}) ImGui::TableSetupColumn(name);
   if (method) {
     ImGui::TableSetupColumn((method->name + "###weight").c_str());
     ImGui::TableSetupColumn("difference");
   }
+  for (const char* name : {"colour", "whose"}) ImGui::TableSetupColumn(name);
   ImGui::TableHeadersRow();
   ImGuiListClipper rows;
   rows.Begin(int(probe.fragments.size()));
@@ -120,27 +132,21 @@ std::optional<size_t> fragment_table(const PixelProbe& probe, size_t chosen, boo
                         ImGuiSelectableFlags_SpanAllColumns);
       if (ImGui::IsItemHovered()) pointed_at = size_t(row);
       tooltip(
-          fmt::format("card {}, part {}\ncolour {:.4g} {:.4g} {:.4g}\nemission {:.4g} {:.4g} {:.4g}\n"
+          fmt::format("{}\ncard {}, part {}\ncolour {:.4g} {:.4g} {:.4g}\nemission {:.4g} {:.4g} {:.4g}\n"
                       "lets pass {:.4g} {:.4g} {:.4g}",
-                      f.card, f.owner.part, f.color.r, f.color.g, f.color.b, f.emission.r, f.emission.g,
-                      f.emission.b, f.transmittance.r, f.transmittance.g, f.transmittance.b));
-      cell(to_text(f.owner));
-      ImGui::TableNextColumn();
-      const glm::vec3 shown = glm::clamp(f.color + f.emission, 0.0f, 1.0f);
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      const float line = ImGui::GetFontSize();
-      ImGui::GetWindowDrawList()->AddRectFilled(
-          {at.x, at.y + 2}, {at.x + line, at.y + line - 1},
-          ImGui::ColorConvertFloat4ToU32({std::sqrt(shown.r), std::sqrt(shown.g), std::sqrt(shown.b), 1}));
-      ImGui::Dummy({line, 1});
-      ImGui::SameLine(0, 4);
-      text(fmt::format("{:.2f} {:.2f} {:.2f}", f.color.r, f.color.g, f.color.b));
+                      to_text(f.owner), f.card, f.owner.part, f.color.r, f.color.g, f.color.b, f.emission.r,
+                      f.emission.g, f.emission.b, f.transmittance.r, f.transmittance.g, f.transmittance.b));
       cell(fmt::format("{:.4f}", f.alpha));
       cell(shares(f.weight, each_channel, false));
-      if (!method) continue;
-      const glm::vec3 told = method->weights[size_t(row)];
-      cell(shares(told, each_channel, false));
-      cell(shares(told - f.weight, each_channel, true));
+      if (method) {
+        const glm::vec3 told = method->weights[size_t(row)];
+        cell(shares(told, each_channel, false));
+        cell(shares(told - f.weight, each_channel, true));
+      }
+      ImGui::TableNextColumn();
+      swatch(f);
+      cell(f.owner.pane ? to_text(f.owner)
+                        : fmt::format("{} / {} #{}", f.owner.instance, f.owner.emitter, f.owner.birth));
     }
   ImGui::EndTable();
   return pointed_at;

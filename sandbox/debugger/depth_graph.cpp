@@ -119,7 +119,7 @@ std::vector<double> depth_ticks(const Plot& plot) {
 
 void draw_axes(ImDrawList& draw, const Plot& plot) {
   draw.AddRectFilled(plot.low, plot.high, kGround);
-  const double step = nice_step(double(plot.top) / 5);
+  const double step = nice_step(double(plot.top) / 8);
   for (double t = 0; t <= double(plot.top) * 1.001; t += step) {
     const float y = plot.y(float(t));
     draw.AddLine({plot.low.x, y}, {plot.high.x, y}, kGrid);

@@ -139,24 +139,24 @@ TEST_F(WindowTest, CrosshairShowsWhatProbePrints) {
 TEST_F(WindowTest, AClickPlacesTheCrosshairAndArrowsMoveIt) {
   if (std::system("command -v xdotool > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "nothing to click with; install the package xdotool";
-  const pid_t window =
-      start({"open", "three_cards", "--at", "0", "--validate", "--frames", "60", "--dump", "crosshair.json"},
-            display_->environment());
+  const pid_t window = start({"open", "three_cards", "--at", "0", "--validate", "--frames", "30",
+                              "--crosshair", "0,0", "--dump", "crosshair.json"},
+                             display_->environment());
   std::string keys;
   for (int i = 0; i < 20; ++i) keys += " Right";
   for (int i = 0; i < 10; ++i) keys += " Down";
   const std::string user = "DISPLAY=" + display_->environment().at("DISPLAY") +
-                           " timeout 20 xdotool search --sync --onlyvisible --name Plume mousemove 600 300 "
-                           "click 1 sleep 1 key" +
+                           " timeout 20 xdotool search --sync --onlyvisible --name Plume mousemove 600 150 "
+                           "click 1 sleep 3 key" +
                            keys + " > /dev/null";
   EXPECT_EQ(std::system(user.c_str()), 0);
   const Outcome outcome = wait(window);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json shown = json::parse(read("crosshair.json"));
   const double width = shown["size"][0], height = shown["size"][1];
-  // Where it was clicked, in heights of the picture that filled the window between the panels then.
-  constexpr double kLeft = 20 * 13, kRight = 1280 - 24 * 13, kBottom = 720 - 4.6 * 13;
-  const double x = (600 - 0.5 * (kLeft + kRight)) / kBottom, y = (300 - 0.5 * kBottom) / kBottom;
+  // Where it was clicked, in heights of the picture, which fills what the panels leave of the window.
+  constexpr double kLeft = 20 * 13, kRight = 1280 - 24 * 13, kBottom = 720 - (4.6 + 19) * 13;
+  const double x = (600 - 0.5 * (kLeft + kRight)) / kBottom, y = (150 - 0.5 * kBottom) / kBottom;
   EXPECT_NEAR(shown["pixel"][0].get<double>(), std::floor(x * height + 0.5 * width) + 20, 1);
   EXPECT_NEAR(shown["pixel"][1].get<double>(), std::floor(y * height + 0.5 * height) + 10, 1);
   EXPECT_FALSE(shown["fragments"].empty());
