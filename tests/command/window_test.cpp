@@ -139,7 +139,7 @@ TEST_F(WindowTest, CrosshairShowsWhatProbePrints) {
 TEST_F(WindowTest, AClickPlacesTheCrosshairAndArrowsMoveIt) {
   if (std::system("command -v xdotool > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "nothing to click with; install the package xdotool";
-  const pid_t window = start({"open", "three_cards", "--at", "0", "--validate", "--frames", "30",
+  const pid_t window = start({"open", "three_cards", "--at", "0", "--validate", "--frames", "80",
                               "--crosshair", "0,0", "--dump", "crosshair.json"},
                              display_->environment());
   std::string keys;
