@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plume {
 namespace {
@@ -171,6 +170,17 @@ void draw_exact(ImDrawList& draw, const Plot& plot, const PixelProbe& probe, Rea
   }
   const float last = plot.y(reading.of(glm::vec3(through)));
   draw.AddLine({x, last}, {plot.high.x, last}, ink, 2.5f);
+}
+
+/// Where the exact curves of the channels are farthest apart: there they can be named.
+double depth_of_most_colour(const PixelProbe& probe) {
+  double best = double(probe.depths_m.front()), widest = -1;
+  for (const float depth : probe.depths_m) {
+    const glm::dvec3 t = probe.exact_transmittance(double(depth));
+    const double width = std::max({t.r, t.g, t.b}) - std::min({t.r, t.g, t.b});
+    if (width > widest + 1e-9) widest = width, best = double(depth);
+  }
+  return best;
 }
 
 void draw_curve(ImDrawList& draw, const Plot& plot, const PixelProbe& probe, const MethodAtPixel& method,
@@ -342,9 +352,9 @@ void draw_depth_graph(const PixelProbe& probe, const DepthGraph& graph, Area are
   if (graph.each_channel)
     for (int c = 0; c < 3; ++c) {
       curves({.channel = c}, kChannelInk[size_t(c)]);
-      const float end = Reading{.channel = c}.of(
-          glm::vec3(probe.exact_transmittance(std::numeric_limits<double>::infinity())));
-      draw.AddText({plot.high.x - 10 * float(4 - c), plot.y(end) - ImGui::GetFontSize()},
+      const double apart = depth_of_most_colour(probe);
+      const float there = glm::vec3(probe.exact_transmittance(apart))[c];
+      draw.AddText({plot.x(apart) + 4 + 9 * float(c), plot.y(there) - ImGui::GetFontSize()},
                    kChannelInk[size_t(c)], kChannelNames[size_t(c)]);
     }
   else
