@@ -37,6 +37,28 @@ class ValueList : public ParameterVisitor {
   }
 };
 
+class TextList : public ParameterVisitor {
+ public:
+  std::map<std::string, std::string> texts;
+
+  void number(std::string_view name, float& value, const NumberInfo&) override {
+    std::string text = fmt::format("{}", value);
+    // Texts are read as double and then rounded: for a handful of floats that is not the same.
+    if (static_cast<float>(std::stod(text)) != value) text = fmt::format("{}", double(value));
+    texts.emplace(name, std::move(text));
+  }
+  void integer(std::string_view name, int& value, const NumberInfo&) override {
+    texts.emplace(name, std::to_string(value));
+  }
+  void toggle(std::string_view name, bool& value, std::string_view) override {
+    texts.emplace(name, value ? "true" : "false");
+  }
+  void choice(std::string_view name, int& value, std::span<const std::string_view> options,
+              std::string_view) override {
+    texts.emplace(name, options[static_cast<size_t>(value)]);
+  }
+};
+
 class Description : public ParameterVisitor {
  public:
   nlohmann::json list = nlohmann::json::array();
@@ -153,6 +175,12 @@ nlohmann::json parameter_values(Method& method) {
   ValueList visitor;
   method.visit(visitor);
   return visitor.values;
+}
+
+std::map<std::string, std::string> parameter_texts(Method& method) {
+  TextList visitor;
+  method.visit(visitor);
+  return std::move(visitor.texts);
 }
 
 nlohmann::json parameter_list(Method& method) {

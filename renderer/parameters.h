@@ -2,6 +2,7 @@
 #ifndef PLUME_RENDERER_PARAMETERS_H
 #define PLUME_RENDERER_PARAMETERS_H
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
@@ -38,6 +39,8 @@ class Method;
 
 /// Current values, name -> JSON value.
 nlohmann::json parameter_values(Method& method);
+/// The same as texts that give set_parameter() the same values, to the bit.
+std::map<std::string, std::string> parameter_texts(Method& method);
 /// Name, type, range or options, unit, help and current value, in the order of the visit.
 nlohmann::json parameter_list(Method& method);
 /// Sets one parameter from text. Throws ParameterError that names the nearest valid name, the range or the

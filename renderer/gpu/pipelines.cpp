@@ -84,9 +84,10 @@ struct Specialisation {
 
 }  // namespace
 
-Pipelines::Pipelines(Device& device, const Shaders& shaders)
+Pipelines::Pipelines(Device& device, const Shaders& shaders, std::span<const uint8_t> kept)
     : device_(device),
       shaders_(shaders),
+      cache_(device, kept),
       linear_(make_sampler(device, vk::Filter::eLinear)),
       nearest_(make_sampler(device, vk::Filter::eNearest)) {}
 
@@ -161,11 +162,11 @@ Pipeline Pipelines::make_compute(const std::string& shader, const Constants& con
   const auto module = make_module(device_, words);
   const Specialisation specialisation(constants);
   result.pipeline =
-      device_.vk().createComputePipeline(nullptr, {.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
-                                                             .module = *module,
-                                                             .pName = "main",
-                                                             .pSpecializationInfo = &specialisation.info},
-                                                   .layout = *result.layout});
+      device_.vk().createComputePipeline(cache_.vk(), {.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
+                                                                 .module = *module,
+                                                                 .pName = "main",
+                                                                 .pSpecializationInfo = &specialisation.info},
+                                                       .layout = *result.layout});
   device_.label(result.pipeline, shader);
   return result;
 }
@@ -214,18 +215,18 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
                                                   .depthAttachmentFormat = desc.depth == DepthUse::kNone
                                                                                ? vk::Format::eUndefined
                                                                                : vk::Format::eD32Sfloat};
-  result.pipeline = device_.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
-                                                                  .stageCount = uint32_t(stages.size()),
-                                                                  .pStages = stages.data(),
-                                                                  .pVertexInputState = &no_vertex_buffers,
-                                                                  .pInputAssemblyState = &assembly,
-                                                                  .pViewportState = &viewport,
-                                                                  .pRasterizationState = &raster,
-                                                                  .pMultisampleState = &multisample,
-                                                                  .pDepthStencilState = &depth,
-                                                                  .pColorBlendState = &blend,
-                                                                  .pDynamicState = &dynamic,
-                                                                  .layout = *result.layout});
+  result.pipeline = device_.vk().createGraphicsPipeline(cache_.vk(), {.pNext = &rendering,
+                                                                      .stageCount = uint32_t(stages.size()),
+                                                                      .pStages = stages.data(),
+                                                                      .pVertexInputState = &no_vertex_buffers,
+                                                                      .pInputAssemblyState = &assembly,
+                                                                      .pViewportState = &viewport,
+                                                                      .pRasterizationState = &raster,
+                                                                      .pMultisampleState = &multisample,
+                                                                      .pDepthStencilState = &depth,
+                                                                      .pColorBlendState = &blend,
+                                                                      .pDynamicState = &dynamic,
+                                                                      .layout = *result.layout});
   device_.label(result.pipeline, name);
   return result;
 }

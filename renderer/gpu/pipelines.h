@@ -7,6 +7,7 @@
 #include <string>
 
 #include "renderer/gpu/device.h"
+#include "renderer/gpu/pipeline_cache.h"
 #include "renderer/gpu/reflection.h"
 #include "renderer/gpu/shaders.h"
 
@@ -54,7 +55,8 @@ struct GraphicsDesc {
 
 class Pipelines {
  public:
-  Pipelines(Device& device, const Shaders& shaders);
+  /// `kept`: what cache() had in an earlier run, so that the driver need not work again.
+  Pipelines(Device& device, const Shaders& shaders, std::span<const uint8_t> kept = {});
 
   const Pipeline& compute(const std::string& shader, const Constants& constants = {});
   const Pipeline& graphics(const GraphicsDesc& desc);
@@ -63,6 +65,7 @@ class Pipelines {
   /// old ones.
   void reload();
   size_t count() const { return pipelines_.size(); }
+  const PipelineCache& cache() const { return cache_; }
   const vk::PhysicalDeviceLimits& limits() const { return device_.limits(); }
   /// Clamped to the edge; linear, except for formats that devices need not filter.
   vk::Sampler sampler_for(vk::Format format) const;
@@ -81,6 +84,7 @@ class Pipelines {
 
   Device& device_;
   const Shaders& shaders_;
+  PipelineCache cache_;
   vk::raii::Sampler linear_, nearest_;
   std::map<std::string, Entry> pipelines_;
 };
