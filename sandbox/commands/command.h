@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "renderer/gpu/pipelines.h"
+#include "sandbox/commands/kept_pipelines.h"
 #include "sandbox/measure/measurement.h"
 #include "sandbox/presets/library.h"
 
@@ -56,14 +57,20 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Replay
 
 gpu::DeviceOptions device_options(const DrawFlags& flags);
 
-/// A device with what drawing needs, opened as the flags say.
+/// A device with what drawing needs, opened as the flags say. The driver's pipelines are kept for the next.
 struct GpuSession {
   explicit GpuSession(const DrawFlags& flags) : GpuSession(device_options(flags), flags.shaders) {}
   GpuSession(const gpu::DeviceOptions& options, const std::string& shader_folder);
+  ~GpuSession();
+  GpuSession(const GpuSession&) = delete;
   gpu::Device device;
   gpu::Shaders shaders;
+  KeptPipelines kept;
   gpu::Pipelines pipelines;
 };
+
+/// A line on standard error about what went wrong and was done without.
+void warn(const std::string& text);
 
 /// Prints what the validation layers said, and gives the exit code of it.
 int report_validation(const gpu::Device& device);

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 #include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
@@ -160,7 +161,26 @@ gpu::DeviceOptions device_options(const DrawFlags& flags) {
 }
 
 GpuSession::GpuSession(const gpu::DeviceOptions& options, const std::string& shader_folder)
-    : device(options), shaders(shader_folder), pipelines(device, shaders) {}
+    : device(options),
+      shaders(shader_folder),
+      kept(device, cache_folder()),
+      pipelines(device, shaders, kept.bytes()) {
+  if (const std::string& why = pipelines.cache().refused(); !why.empty())
+    warn(fmt::format("{}: {}; pipelines are made anew", kept.file().string(), why));
+}
+
+GpuSession::~GpuSession() {
+  if (std::uncaught_exceptions() > 0) return;  // the device may be the reason
+  try {
+    kept.keep(pipelines.cache());
+  } catch (const std::exception& error) {
+    warn(fmt::format("pipelines are not kept for the next run: {}", error.what()));
+  }
+}
+
+void warn(const std::string& text) {
+  fmt::print(stderr, "plume: note: {}\n", text);
+}
 
 int report_validation(const gpu::Device& device) {
   const auto messages = device.validation_messages();

@@ -53,6 +53,9 @@ class ProgramTest : public testing::Test {
     const int out = creat(at("stdout").c_str(), 0666), err = creat(at("stderr").c_str(), 0666);
     const pid_t child = fork();
     if (child == 0) {
+      // The user's own folders are neither read nor written.
+      setenv("PLUME_CACHE", at("cache").c_str(), 1);
+      setenv("PLUME_CONFIG", at("config").c_str(), 1);
       for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
       if (chdir(folder_.c_str()) == 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0)
         execv(PLUME_PROGRAM, argv.data());
