@@ -97,14 +97,16 @@ json list_replays(const PresetLibrary& library) {
     json methods = json::array();
     for (const MethodRun& run : replay.methods)
       methods.push_back({{"id", run.id}, {"settings", run.settings}});
-    list.push_back({{"id", id},
-                    {"title", replay.name},
-                    {"description", fmt::format("{} on {} ticks of {}", replay.methods.size(),
-                                                replay.ticks.size(), replay.scene)},
-                    {"scene", replay.scene},
-                    {"ticks", replay.ticks},
-                    {"size", {replay.size.x, replay.size.y}},
-                    {"methods", methods}});
+    list.push_back(
+        {{"id", id},
+         {"title", replay.name},
+         {"description", replay.shots.empty() ? fmt::format("{} on {} ticks of {}", replay.methods.size(),
+                                                            replay.ticks.size(), replay.scene)
+                                              : fmt::format("{} pictures", replay.shots.size())},
+         {"scene", replay.scene},
+         {"ticks", replay.ticks},
+         {"size", {replay.size.x, replay.size.y}},
+         {"methods", methods}});
   }
   return list;
 }

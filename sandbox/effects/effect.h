@@ -237,6 +237,7 @@ struct Effect {
   std::vector<Layer> layers;
   std::vector<Emitter> emitters;
   std::vector<Mesh> meshes;  ///< each that an emitter names, once
+  std::string text;          ///< that it was read from
 };
 
 }  // namespace plume

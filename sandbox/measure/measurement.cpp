@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -41,8 +42,8 @@ struct Job {
 };
 
 bool is_same(const FrameResult& a, const FrameResult& b) {
-  return a.scene == b.scene && a.tick == b.tick && a.width == b.width && a.height == b.height &&
-         a.method == b.method && a.settings == b.settings;
+  return a.scene == b.scene && a.tick == b.tick && a.shot == b.shot && a.width == b.width &&
+         a.height == b.height && a.method == b.method && a.settings == b.settings;
 }
 
 bool shares_file(const FrameResult& a, const FrameResult& b) {
@@ -62,16 +63,50 @@ std::string stem_of(const std::string& scene, uint32_t tick, const std::string& 
   return fmt::format("{}_{:06}_{}", scene, tick, label);
 }
 
-void refuse_shared_files(const std::vector<Replay>& replays, const std::vector<Scene>& scenes) {
+/// Of a recording, whose pictures stand in the order in which they were seen.
+std::string stem_of_shot(uint32_t shot, const std::string& scene, uint32_t tick, const std::string& method) {
+  return fmt::format("shot_{:06}_{}", shot, stem_of(scene, tick, method));
+}
+
+/// The scenes of a replay by the names it has for them.
+using Scenes = std::map<std::string, Scene>;
+
+const std::string& scene_name(const Replay& replay, const Shot& shot) {
+  return shot.scene.empty() ? replay.scene : shot.scene;
+}
+
+/// What a replay draws at once: a tick with all of its methods, or a shot.
+struct Moment {
+  uint32_t tick;
+  glm::uvec2 size;
+  std::optional<CameraKey> camera;  // of one's own
+  uint32_t shot = 0;                // from 1; 0: none
+};
+
+void refuse_shared_files(const std::vector<Replay>& replays, const std::vector<Scenes>& scenes) {
   std::set<std::string> stems;
-  for (size_t i = 0; i < replays.size(); ++i)
+  const auto claim = [&](const std::string& stem, const std::string& what) {
+    if (!stems.insert(stem).second)
+      throw std::runtime_error(fmt::format(
+          "{} is asked for twice, and the second would overwrite the files of the first: run them with an "
+          "--out each",
+          what));
+  };
+  for (size_t i = 0; i < replays.size(); ++i) {
     for (const uint32_t tick : replays[i].ticks)
-      for (const MethodRun& run : replays[i].methods)
-        if (!stems.insert(stem_of(scenes[i].id, tick, label_of(run))).second)
-          throw std::runtime_error(
-              fmt::format("{} at tick {} with {} is asked for twice, and the second would overwrite the "
-                          "files of the first: run them with an --out each",
-                          scenes[i].id, tick, label_of(run)));
+      for (const MethodRun& run : replays[i].methods) {
+        const std::string& scene = scenes[i].at(replays[i].scene).id;
+        claim(stem_of(scene, tick, label_of(run)),
+              fmt::format("{} at tick {} with {}", scene, tick, label_of(run)));
+      }
+    for (uint32_t s = 0; s < replays[i].shots.size(); ++s) {
+      const Shot& shot = replays[i].shots[s];
+      const std::string& scene = scenes[i].at(scene_name(replays[i], shot)).id;
+      const std::string& method = replays[i].methods[shot.method].id;
+      claim(stem_of_shot(s + 1, scene, shot.tick, method),
+            fmt::format("shot {}, {} at tick {} with {}", s + 1, scene, shot.tick, method));
+    }
+  }
 }
 
 ErrorSummary compare(const DrawnPicture& reference, const DrawnPicture& test, Raster<float>& map) {
@@ -123,15 +158,18 @@ class Measurement {
   }
 
   Results run(const std::vector<Replay>& replays) {
-    std::vector<Scene>
+    std::vector<Scenes>
         scenes;  // all before any is drawn: a mistake in the last must not cost the work on the first
-    for (const Replay& replay : replays) scenes.push_back(scene_of(replay));
+    for (const Replay& replay : replays) scenes.push_back(scenes_of(replay));
     refuse_shared_files(replays, scenes);
-    for (const Replay& replay : replays) total_ += replay.ticks.size();
+    for (const Replay& replay : replays) total_ += replay.ticks.size() + replay.shots.size();
     total_ = (total_ + options_.shard.count - 1 - options_.shard.index) / options_.shard.count;
-    write_manifest();  // what an earlier run left here is over from now on
-    size_t ticks = 0;
-    for (size_t i = 0; i < replays.size(); ++i) run_replay(replays[i], std::move(scenes[i]), ticks);
+    write_manifest();    // what an earlier run left here is over from now on
+    size_t counted = 0;  // over all replays, so that shards share them evenly
+    for (size_t i = 0; i < replays.size(); ++i) {
+      run_ticks(replays[i], scenes[i], counted);
+      run_shots(replays[i], scenes[i], counted);
+    }
     write_manifest();
     return std::move(results_);
   }
@@ -155,26 +193,67 @@ class Measurement {
     results_ = std::move(before);
   }
 
-  Scene scene_of(const Replay& replay) const {
-    Scene scene = library_.scene(replay.scene);
-    if (auto unknown = check_references(scene, library_); !unknown.empty())
-      throw FileErrors(std::move(unknown));
-    if (replay.seed) scene.seed = *replay.seed;
-    if (!replay.camera.empty()) scene.camera = replay.camera;
-    return scene;
+  Scenes scenes_of(const Replay& replay) const {
+    const PresetLibrary library = library_.behind(replay.presets);
+    Scenes scenes;
+    const auto add = [&](const std::string& name) {
+      if (scenes.contains(name)) return;
+      Scene scene = library.scene(name);
+      if (auto unknown = check_references(scene, library); !unknown.empty())
+        throw FileErrors(std::move(unknown));
+      if (replay.seed) scene.seed = *replay.seed;
+      if (!replay.camera.empty()) scene.camera = replay.camera;
+      scenes.emplace(name, std::move(scene));
+    };
+    if (!replay.ticks.empty()) add(replay.scene);
+    for (const Shot& shot : replay.shots) add(scene_name(replay, shot));
+    return scenes;
   }
 
-  /// `counted` goes over the ticks of all replays, so that shards share them evenly.
-  void run_replay(const Replay& replay, Scene scene, size_t& counted) {
+  bool is_ours(size_t& counted) const { return counted++ % options_.shard.count == options_.shard.index; }
+
+  void run_ticks(const Replay& replay, const Scenes& scenes, size_t& counted) {
     std::vector<uint32_t> ticks;
     for (const uint32_t tick : replay.ticks)
-      if (counted++ % options_.shard.count == options_.shard.index) ticks.push_back(tick);
+      if (is_ours(counted)) ticks.push_back(tick);
     if (ticks.empty()) return;
 
-    Stage stage(device_, pipelines_, library_, std::move(scene));
+    Stage stage(device_, pipelines_, library_.behind(replay.presets), scenes.at(replay.scene));
     const Targets targets(device_, replay.size, stage.post());
     std::vector<Contender> contenders = make_contenders(replay);
-    for (const uint32_t tick : ticks) run_tick(replay, stage, targets, contenders, tick);
+    for (const uint32_t tick : ticks)
+      run_moment(replay, stage, targets, contenders, {.tick = tick, .size = replay.size});
+  }
+
+  /// What one shot after another has in common stays: the scene, the images, the method's memory.
+  void run_shots(const Replay& replay, const Scenes& scenes, size_t& counted) {
+    if (replay.shots.empty()) return;
+    std::optional<Stage> stage;
+    std::optional<Targets> targets;
+    const std::string* scene = nullptr;
+    std::vector<Contender> contenders = make_contenders(replay);
+    size_t method = 0;
+    for (uint32_t i = 0; i < replay.shots.size(); ++i) {
+      const Shot& shot = replay.shots[i];
+      const Moment moment{.tick = shot.tick,
+                          .size = shot.size == glm::uvec2(0) ? replay.size : shot.size,
+                          .camera = shot.camera,
+                          .shot = i + 1};
+      if (!scene || *scene != scene_name(replay, shot)) {
+        scene = &scene_name(replay, shot);
+        targets.reset();
+        stage.reset();
+        stage.emplace(device_, pipelines_, library_.behind(replay.presets), scenes.at(*scene));
+      }
+      if (!is_ours(counted)) {
+        pass_by(*stage, moment);
+        continue;
+      }
+      if (!targets || targets->size != moment.size) targets.emplace(device_, moment.size, stage->post());
+      if (method != shot.method) contenders[method].instance.resources = {};
+      method = shot.method;
+      run_moment(replay, *stage, *targets, std::span(contenders).subspan(method, 1), moment);
+    }
   }
 
   std::vector<Contender> make_contenders(const Replay& replay) {
@@ -191,13 +270,15 @@ class Measurement {
     return contenders;
   }
 
-  static Job job_of(const Replay& replay, const Stage& stage, const Contender& contender, uint32_t tick) {
+  static Job job_of(const Replay& replay, const Stage& stage, const Contender& contender,
+                    const Moment& moment) {
     Job job;
     FrameResult& frame = job.frame;
     frame.scene = stage.scene().id;
-    frame.tick = tick;
-    frame.width = replay.size.x;
-    frame.height = replay.size.y;
+    frame.tick = moment.tick;
+    frame.shot = moment.shot;
+    frame.width = moment.size.x;
+    frame.height = moment.size.y;
     frame.method = contender.instance.method->id();
     frame.settings = contender.settings;
     if (!contender.missing.empty()) {
@@ -205,8 +286,9 @@ class Measurement {
       return job;
     }
     const Capture& capture = replay.capture;
-    if (!capture.ticks.empty() && !std::ranges::binary_search(capture.ticks, tick)) return job;
-    const std::string stem = stem_of(frame.scene, tick, contender.label);
+    if (!capture.ticks.empty() && !std::ranges::binary_search(capture.ticks, frame.tick)) return job;
+    const std::string stem = frame.shot ? stem_of_shot(frame.shot, frame.scene, frame.tick, frame.method)
+                                        : stem_of(frame.scene, frame.tick, contender.label);
     if (capture.images) frame.image = stem + ".png";
     if (capture.error_maps) frame.error_map = stem + "_error.png";
     if (capture.hdr) job.hdr = stem + ".exr";
@@ -226,17 +308,18 @@ class Measurement {
     });
   }
 
-  void run_tick(const Replay& replay, Stage& stage, const Targets& targets,
-                std::vector<Contender>& contenders, uint32_t tick) {
+  void run_moment(const Replay& replay, Stage& stage, const Targets& targets, std::span<Contender> contenders,
+                  const Moment& moment) {
     std::vector<Job> jobs;
-    for (const Contender& c : contenders) jobs.push_back(job_of(replay, stage, c, tick));
+    for (const Contender& c : contenders) jobs.push_back(job_of(replay, stage, c, moment));
     const bool all_done =
         std::ranges::all_of(jobs, [&](const Job& job) { return finished(job) != results_.frames.end(); });
     if (all_done) {
+      pass_by(stage, moment);
       for (const Job& job : jobs) place(finished(job));
     } else {
       stop_if_interrupted();
-      stage.go_to(tick, replay.size);
+      stage.go_to(moment.tick, moment.size, moment.camera);
       const DrawnPicture reference = draw_reference(stage, targets);
       for (Contender& c : contenders) c.samples.clear(), c.transparency_ms.clear(), c.picture.reset();
       draw_contenders(replay, stage, targets, contenders);
@@ -250,7 +333,12 @@ class Measurement {
     }
     ++done_;
     if (options_.progress)
-      options_.progress(done_, total_, fmt::format("{} tick {}", stage.scene().id, tick));
+      options_.progress(done_, total_, fmt::format("{} tick {}", stage.scene().id, moment.tick));
+  }
+
+  /// A shot that is not drawn here still is part of what those after it remember.
+  static void pass_by(Stage& stage, const Moment& moment) {
+    if (moment.shot && stage.remembers()) stage.go_to(moment.tick, moment.size, moment.camera);
   }
 
   DrawnPicture draw_reference(const Stage& stage, const Targets& targets) {
@@ -262,7 +350,7 @@ class Measurement {
 
   /// Repetitions of all methods in turn, so that a drift of the machine's speed meets them alike.
   void draw_contenders(const Replay& replay, const Stage& stage, const Targets& targets,
-                       std::vector<Contender>& contenders) {
+                       std::span<Contender> contenders) {
     for (uint32_t repetition = 0; repetition < replay.warmup + replay.frames; ++repetition)
       for (Contender& c : contenders) {
         if (!c.missing.empty()) continue;

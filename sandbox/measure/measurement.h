@@ -30,9 +30,9 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted; --resume goes on from here") {}
 };
 
-/// Runs every tick of every replay, writes images, error maps, results.json and results.csv below `out`, and
-/// returns the results. Throws what reading, drawing and writing throw; results.json then holds all frames
-/// that were finished.
+/// Runs every tick or shot of every replay, writes images, error maps, results.json and results.csv below
+/// `out`, and returns the results. Throws what reading, drawing and writing throw; results.json then holds
+/// all frames that were finished.
 Results measure(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library,
                 const std::vector<Replay>& replays, const MeasurementOptions& options);
 

@@ -46,6 +46,7 @@ FrameResult frame_from_json(const json& from) {
   FrameResult frame;
   frame.scene = from.at("scene");
   frame.tick = from.at("tick");
+  if (const json shot = from.value("shot", json()); !shot.is_null()) frame.shot = shot;
   frame.width = from.at("size").at(0);
   frame.height = from.at("size").at(1);
   frame.method = from.at("method");
@@ -109,6 +110,7 @@ json to_json(const FrameResult& frame) {
              {"max_at", {frame.error->max_x, frame.error->max_y}}};
   return {{"scene", frame.scene},
           {"tick", frame.tick},
+          {"shot", frame.shot ? json(frame.shot) : json(nullptr)},
           {"size", {frame.width, frame.height}},
           {"method", frame.method},
           {"settings", frame.settings},
@@ -148,16 +150,17 @@ std::string to_csv(const Results& results) {
         pass_names.push_back(pass.name);
 
   std::string csv =
-      "scene,tick,width,height,method,settings,status,gpu_ms,transparency_ms,memory_bytes,left_out,rmse,psnr_"
+      "scene,tick,shot,width,height,method,settings,status,gpu_ms,transparency_ms,memory_bytes,left_out,rmse,"
+      "psnr_"
       "db,ssim,flip,"
       "max";
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick, frame.width,
-                    frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
-                    frame.gpu_ms, frame.transparency_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick,
+                       frame.shot ? std::to_string(frame.shot) : "", frame.width, frame.height, frame.method,
+                       csv_field(frame.settings.dump()), csv_field(frame.status), frame.gpu_ms,
+                       frame.transparency_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);

@@ -30,6 +30,7 @@ struct ErrorSummary {
 struct FrameResult {
   std::string scene;
   uint32_t tick = 0;
+  uint32_t shot = 0;  ///< of a recording, counted from 1; 0: of none
   uint32_t width = 0, height = 0;
   std::string method;
   nlohmann::json settings = nlohmann::json::object();  ///< every parameter with its value

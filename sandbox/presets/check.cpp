@@ -49,7 +49,7 @@ std::vector<Diagnostic> check_file(const std::filesystem::path& path, const Pres
       const Scene scene = read_scene_text(text, file);
       if (library) return check_references(scene, *library);
     } else {
-      const Replay replay = read_replay_text(text, file);
+      const Replay replay = read_replay(path);
       if (library) return check_references(replay, *library);
     }
     return {};

@@ -30,24 +30,41 @@ const Kind& traits(PresetKind kind) {
 
 }  // namespace
 
+PresetLibrary PresetLibrary::behind(fs::path nearer) const {
+  PresetLibrary both = *this;
+  if (!nearer.empty()) both.nearer_ = std::move(nearer);
+  return both;
+}
+
+std::vector<fs::path> PresetLibrary::roots() const {
+  return nearer_.empty() ? std::vector{root_} : std::vector{nearer_, root_};
+}
+
 std::vector<std::string> PresetLibrary::ids(PresetKind kind) const {
   std::vector<std::string> ids;
   std::error_code absent;  // a folder that is not there holds nothing
-  for (const fs::directory_entry& entry : fs::directory_iterator(root_ / traits(kind).folder, absent))
-    if (entry.path().extension() == traits(kind).extension) ids.push_back(entry.path().stem().string());
+  for (const fs::path& root : roots())
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / traits(kind).folder, absent))
+      if (entry.path().extension() == traits(kind).extension) ids.push_back(entry.path().stem().string());
   std::ranges::sort(ids);
+  ids.erase(std::ranges::unique(ids).begin(), ids.end());
   return ids;
 }
 
 fs::path PresetLibrary::find(PresetKind kind, std::string_view name) const {
   if (name.find('/') != name.npos || name.ends_with(traits(kind).extension)) {
+    if (!nearer_.empty() && fs::exists(nearer_ / name)) return nearer_ / name;
     if (!fs::exists(name))
       throw PresetError(fmt::format("there is no file {}, expected a path to a {}", name, traits(kind).word));
     return name;
   }
   const std::vector<std::string> known = ids(kind);
   if (std::ranges::binary_search(known, name))
-    return root_ / traits(kind).folder / fmt::format("{}{}", name, traits(kind).extension);
+    for (const fs::path& root : roots())
+      if (const fs::path file =
+              root / traits(kind).folder / fmt::format("{}{}", name, traits(kind).extension);
+          fs::exists(file))
+        return file;
   throw PresetError(fmt::format("unknown {} `{}`, {}", traits(kind).word, name, suggestion(name, known)));
 }
 
@@ -61,6 +78,7 @@ Effect PresetLibrary::effect_text(std::string_view text, const std::string& file
   for (const MeshName& mesh_name : mesh_names(effect))
     if (std::ranges::find(effect.meshes, mesh_name.id, &Mesh::id) == effect.meshes.end())
       effect.meshes.push_back(mesh(mesh_name.id));
+  effect.text = text;
   return effect;
 }
 Mesh PresetLibrary::mesh(std::string_view name) const {

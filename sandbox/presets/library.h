@@ -29,6 +29,9 @@ class PresetLibrary {
   explicit PresetLibrary(std::filesystem::path root) : root_(std::move(root)) {}
 
   const std::filesystem::path& root() const { return root_; }
+  /// This one, with presets of another folder before its own; "": as it is. A path is then looked up there
+  /// as well.
+  PresetLibrary behind(std::filesystem::path nearer) const;
   /// Sorted.
   std::vector<std::string> ids(PresetKind kind) const;
   /// The file of a preset. A name with '/' or ending in .toml (a mesh: .obj) is a path, else an id. Throws
@@ -44,7 +47,9 @@ class PresetLibrary {
   Replay replay(std::string_view name) const;
 
  private:
-  std::filesystem::path root_;
+  std::vector<std::filesystem::path> roots() const;
+
+  std::filesystem::path root_, nearer_;
 };
 
 /// The folder of the presets: $PLUME_PRESETS, else ../presets beside the program, else that of the source

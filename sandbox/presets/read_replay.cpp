@@ -15,7 +15,8 @@
 namespace plume {
 namespace {
 
-constexpr size_t kMaxMethods = 1'000, kMaxTicks = 1'000'000;
+constexpr size_t kMaxMethods = 1'000, kMaxTicks = 1'000'000, kMaxShots = 100'000;
+constexpr Limits kPixels{1, 16'384, "pixels"};
 
 void read_ticks(TableReader& top, std::vector<uint32_t>& ticks) {
   if (!top.is_table("ticks")) {
@@ -58,6 +59,31 @@ MethodRun read_method(TableReader& table) {
   return run;
 }
 
+/// All methods come before the shots, wherever they stand in the file.
+Shot read_shot(TableReader& table, const Replay& replay) {
+  Shot shot;
+  table.integer("tick", shot.tick, kTick, Need::kRequired);
+  uint32_t method = 1;
+  table.integer("method", method, {1, double(std::max<size_t>(replay.methods.size(), 1))});
+  shot.method = method - 1;
+  if (table.text("scene", shot.scene)) {
+    const toml::source_position at = table.position("scene");
+    shot.scene_at = {table.file(), at.line, at.column};
+  }
+  table.size("size", shot.size, kPixels);
+  table.table("camera", [&](TableReader& camera) { shot.camera = read_camera_key(camera); });
+  return shot;
+}
+
+void read_shots(TableReader& top, Replay& replay) {
+  top.tables("shot", kMaxShots,
+             [&](TableReader& table) { replay.shots.push_back(read_shot(table, replay)); });
+  for (const char* other : {"ticks", "camera"})
+    if (top.has(other))
+      top.report(other,
+                 fmt::format("`{}` stands beside [[shot]], expected one of them: a shot has its own", other));
+}
+
 void read_capture(TableReader& table, const std::vector<uint32_t>& ticks, Capture& out) {
   table.ascending("ticks", out.ticks, kTick);
   for (const uint32_t tick : out.ticks)
@@ -82,30 +108,42 @@ Replay read_replay_text(std::string_view text, const std::string& file) {
     replay.scene_at = {file, at.line, at.column};
     uint32_t seed = 0;
     if (top.integer("seed", seed, {0, UINT32_MAX})) replay.seed = seed;
-    top.size("size", replay.size, {1, 16'384, "pixels"});
-    read_ticks(top, replay.ticks);
+    top.size("size", replay.size, kPixels);
+    const bool recording = top.has("shot");
+    if (!recording || top.has("ticks")) read_ticks(top, replay.ticks);
     top.integer("frames", replay.frames, {1, 100'000});
     top.integer("warmup", replay.warmup, {0, 100'000});
     replay.camera = read_camera(top, false);
     top.tables(
         "method", kMaxMethods, [&](TableReader& table) { replay.methods.push_back(read_method(table)); },
         Need::kRequired);
+    if (recording) read_shots(top, replay);
     top.table("capture", [&](TableReader& table) { read_capture(table, replay.ticks, replay.capture); });
   });
   return replay;
 }
 
 Replay read_replay(const std::filesystem::path& path) {
-  return read_replay_text(load_text(path), path.string());
+  Replay replay = read_replay_text(load_text(path), path.string());
+  std::filesystem::path beside = path;
+  if (std::filesystem::is_directory(beside.replace_extension())) replay.presets = beside.string();
+  return replay;
 }
 
 std::vector<Diagnostic> check_references(const Replay& replay, const PresetLibrary& library) {
-  try {
-    library.find(PresetKind::kScene, replay.scene);
-    return {};
-  } catch (const PresetError& error) {
-    return {{replay.scene_at.file, replay.scene_at.line, replay.scene_at.column, error.what()}};
-  }
+  const PresetLibrary all = library.behind(replay.presets);
+  std::vector<Diagnostic> found;
+  const auto look_up = [&](const std::string& scene, const FilePosition& at) {
+    try {
+      all.find(PresetKind::kScene, scene);
+    } catch (const PresetError& error) {
+      found.push_back({at.file, at.line, at.column, error.what()});
+    }
+  };
+  look_up(replay.scene, replay.scene_at);
+  for (const Shot& shot : replay.shots)
+    if (!shot.scene.empty()) look_up(shot.scene, shot.scene_at);
+  return found;
 }
 
 }  // namespace plume

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -19,9 +21,9 @@
 namespace plume {
 namespace {
 
-constexpr std::string_view kMaterials[] = {"plain", "asphalt", "brick", "wood", "concrete", "unlit"};
-constexpr std::string_view kTonemaps[] = {"none", "aces"};
-constexpr std::string_view kSolids[] = {"plane", "box", "sphere", "capsule", "figure"};
+/// What a [[solid]] can be: the kinds of solids, and one that is made of several.
+constexpr std::array kSolids{kSolidNames[0], kSolidNames[1], kSolidNames[2], kSolidNames[3],
+                             std::string_view("figure")};
 constexpr uint32_t kFigure = 4;
 
 constexpr size_t kMaxCameraKeys = 10'000, kMaxPathKeys = 10'000;
@@ -42,7 +44,7 @@ void read_light(TableReader& light, Light& out) {
   // Below this, squaring would lose the direction.
   if (glm::length(out.sun_direction) < 1e-6f)
     light.report("sun_direction", "`sun_direction` is zero, expected a direction towards the sun");
-  else
+  else if (std::abs(glm::length(out.sun_direction) - 1) > 1e-6f)  // so that one written by us stays as it is
     out.sun_direction = glm::normalize(out.sun_direction);
   light.vector("sun_color", out.sun_color, kRadiance);
   light.toggle("self_shadow", out.self_shadow);
@@ -60,7 +62,7 @@ void read_solid(TableReader& table, std::vector<Solid>& out) {
 
   Solid solid;
   if (known && !figure) solid.kind = static_cast<SolidKind>(kind);
-  table.choice("material", solid.material, kMaterials);
+  table.choice("material", solid.material, kMaterialNames);
   table.vector("color", solid.color, kShare);
   table.vector("position", solid.position, kPlace);
   if (is(SolidKind::kPlane) && known) {
@@ -225,19 +227,25 @@ void check_total(const std::vector<Load>& loads, std::vector<Diagnostic>& found)
 
 }  // namespace
 
+CameraKey read_camera_key(TableReader& table) {
+  CameraKey key;
+  table.vector("position", key.position, kPlace, Need::kRequired);
+  table.vector("target", key.target, kPlace, Need::kRequired);
+  table.number("vertical_fov_deg", key.vertical_fov_deg, {1, 170, "degrees"});
+  if (table.has("target") && key.target == key.position)
+    table.report("target", "`target` is the same as `position`, expected a point in front of the camera");
+  return key;
+}
+
 std::vector<CameraKey> read_camera(TableReader& top, bool required) {
   std::vector<CameraKey> keys;
   top.tables(
       "camera", kMaxCameraKeys,
       [&](TableReader& table) {
-        CameraKey key;
-        table.integer("tick", key.tick, kTick);
-        table.vector("position", key.position, kPlace, Need::kRequired);
-        table.vector("target", key.target, kPlace, Need::kRequired);
-        table.number("vertical_fov_deg", key.vertical_fov_deg, {1, 170, "degrees"});
-        if (table.has("target") && key.target == key.position)
-          table.report("target",
-                       "`target` is the same as `position`, expected a point in front of the camera");
+        uint32_t tick = 0;
+        table.integer("tick", tick, kTick);
+        CameraKey key = read_camera_key(table);
+        key.tick = tick;
         if (!keys.empty() && key.tick <= keys.back().tick)
           table.report("tick", fmt::format("`tick` is {}, expected more than {}, the one before it", key.tick,
                                            keys.back().tick));
@@ -265,7 +273,7 @@ void read_top(TableReader& top, Scene& scene) {
                fmt::format("`near_m` is {} and `far_m` is {}, expected `near_m` below `far_m`", scene.near_m,
                            scene.far_m));
   top.number("exposure", scene.exposure, {0.001, 1000});
-  top.choice("tonemap", scene.tonemap, kTonemaps);
+  top.choice("tonemap", scene.tonemap, kTonemapNames);
   top.vector("wind", scene.wind, {-100, 100, "m/s"});
   top.table("light", [&](TableReader& light) { read_light(light, scene.light); });
   top.table("depth_of_field", [&](TableReader& lens) {

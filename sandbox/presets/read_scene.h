@@ -34,6 +34,8 @@ std::vector<Field> scene_fields(std::string_view text, const std::string& file);
 std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary& library,
                                          const std::map<std::string, Effect>& edited = {});
 
+/// Where a camera stands and looks; no tick.
+CameraKey read_camera_key(TableReader& table);
 /// The [camera] or [[camera]] of a scene or a replay.
 std::vector<CameraKey> read_camera(TableReader& top, bool required);
 

@@ -1,5 +1,5 @@
 // What a replay script is: one scene, played at chosen ticks with chosen methods, measured and captured
-// without a display.
+// without a display. Or a recording: pictures one after the other, each as somebody saw it.
 #ifndef PLUME_SCENE_REPLAY_H
 #define PLUME_SCENE_REPLAY_H
 
@@ -27,6 +27,16 @@ struct Capture {
   bool hdr = false;  ///< EXR of the linear image
 };
 
+/// One picture of a recording.
+struct Shot {
+  uint32_t tick = 0;
+  size_t method = 0;  ///< of Replay::methods
+  std::string scene;  ///< "": the replay's
+  FilePosition scene_at;
+  glm::uvec2 size{0};               ///< 0: the replay's
+  std::optional<CameraKey> camera;  ///< of one's own, which does not move; nothing: the scene's
+};
+
 struct Replay {
   std::string id;
   std::string name;
@@ -34,12 +44,14 @@ struct Replay {
   FilePosition scene_at;
   std::optional<uint32_t> seed;  ///< instead of the scene's
   glm::uvec2 size{640, 360};
-  std::vector<uint32_t> ticks;     ///< ascending strictly, at least one
+  std::vector<uint32_t> ticks;     ///< ascending strictly, at least one where there are no shots
   uint32_t frames = 3;             ///< timed repetitions of each tick and method
   uint32_t warmup = 1;             ///< repetitions before them that are dropped
   std::vector<CameraKey> camera;   ///< empty: the scene's
   std::vector<MethodRun> methods;  ///< at least one
+  std::vector<Shot> shots;         ///< instead of `ticks` with each of `methods`
   Capture capture;
+  std::string presets;  ///< folder of scenes and effects that come before the library's; "": none
 };
 
 }  // namespace plume

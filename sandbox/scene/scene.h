@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sandbox/effects/clock.h"
@@ -24,6 +25,9 @@ enum class Material : uint32_t {
   kUnlit
 };  // unlit: colour is radiance
 enum class SolidKind : uint32_t { kPlane, kBox, kSphere, kCapsule };
+/// As files have them, in the order of the enumerators.
+constexpr std::string_view kMaterialNames[] = {"plain", "asphalt", "brick", "wood", "concrete", "unlit"};
+constexpr std::string_view kSolidNames[] = {"plane", "box", "sphere", "capsule"};
 
 /// An analytic opaque body: drawn, casts shadows, and is what particles will collide with.
 struct Solid {
@@ -65,6 +69,7 @@ struct CameraKey {
 };
 
 enum class Tonemap : uint32_t { kNone, kAces };
+constexpr std::string_view kTonemapNames[] = {"none", "aces"};
 
 struct Light {
   bool sky = true;  ///< false: the background is `horizon` everywhere

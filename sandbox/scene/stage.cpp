@@ -212,6 +212,11 @@ Post Stage::post() const {
   return post;
 }
 
+bool Stage::remembers() const {
+  return std::ranges::any_of(
+      effects_, [](const auto& effect) { return effect.second.off_screen == OffScreen::kPause; });
+}
+
 std::vector<InstanceDemand> Stage::demand() const {
   const auto called = simulation_->demand();
   std::vector<InstanceDemand> result;

@@ -36,11 +36,16 @@ class Stage {
   /// What the scene asks to be done to its picture.
   Post post() const;
 
+  /// Whether what is seen at a tick may depend on what was looked at before: some effect pauses out of view.
+  bool remembers() const;
+
   /// The order in which cards are drawn: a permutation of 0 .. transparents().count - 1.
   /// Within each source: sources stay together. Reset by go_to().
   void set_draw_order(const std::vector<uint32_t>& order);
 
   const Scene& scene() const { return scene_; }
+  /// Those that are called, by what the scene calls them.
+  const std::map<std::string, Effect>& effects() const { return effects_; }
   const Simulation& simulation() const { return *simulation_; }
   const Lighting& lighting() const { return *lighting_; }
   /// Called and uncalled instances, in the order of the scene.

@@ -36,9 +36,9 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
   for (const json& frame : all["frames"]) {
     SCOPED_TRACE(frame.dump());
     methods.push_back(frame["method"]);
-    EXPECT_EQ(keys(frame),
-              (Names{"error", "error_map", "gpu_ms", "image", "left_out", "memory_bytes", "method", "passes",
-                     "scene", "settings", "size", "statistics", "status", "tick", "transparency_ms"}));
+    EXPECT_EQ(keys(frame), (Names{"error", "error_map", "gpu_ms", "image", "left_out", "memory_bytes",
+                                  "method", "passes", "scene", "settings", "shot", "size", "statistics",
+                                  "status", "tick", "transparency_ms"}));
     EXPECT_EQ(frame["scene"], "street");
     EXPECT_EQ(frame["tick"], 400);
     EXPECT_EQ(frame["size"], json::parse("[96, 54]"));
@@ -155,8 +155,9 @@ TEST_F(CompareTest, WritesOneCsvLinePerFrame) {
   std::istringstream csv(read("out/results.csv"));
   std::string line;
   std::getline(csv, line);
-  EXPECT_TRUE(line.starts_with(
-      "scene,tick,width,height,method,settings,status,gpu_ms,transparency_ms,memory_bytes,left_out,rmse,"));
+  EXPECT_TRUE(
+      line.starts_with("scene,tick,shot,width,height,method,settings,status,gpu_ms,transparency_ms,memory_"
+                       "bytes,left_out,rmse,"));
   // A comma within quotes belongs to its field.
   const auto fields = [](const std::string& text) {
     size_t count = 1;

@@ -117,6 +117,41 @@ TEST_F(ReplayTest, WritesTheLinearImageAsExr) {
   EXPECT_GT(brightest, 1.0f);  // fire is brighter than a display
 }
 
+TEST_F(ReplayTest, DrawsShotsInTheirOrderEachAsItSays) {
+  ASSERT_EQ(replay("name = 'R'\nscene = 'quads_mcguire'\nsize = [16, 9]\nframes = 1\nwarmup = 0\n"
+                   "[capture]\nerror_maps = false\n[[method]]\nid = 'wboit'\n[[method]]\nid = 'sorted'\n"
+                   "[[shot]]\ntick = 5\nmethod = 2\n[[shot]]\ntick = 5\nsize = [20, 9]\n"
+                   "camera = {position = [0, 0, 9], target = [0, 1, 0]}\n"
+                   "[[shot]]\ntick = 2\nmethod = 2\n[[shot]]\ntick = 5\nmethod = 2\n")
+                .exit_code,
+            0);
+  const auto drawn = pictures();
+  Names names;
+  for (const auto& [name, bytes] : drawn) names.push_back(name);
+  EXPECT_EQ(
+      names,
+      (Names{"shot_000001_quads_mcguire_000005_sorted.png", "shot_000002_quads_mcguire_000005_wboit.png",
+             "shot_000003_quads_mcguire_000002_sorted.png", "shot_000004_quads_mcguire_000005_sorted.png"}));
+  EXPECT_EQ(drawn.at(names[0]), drawn.at(names[3]));
+  const json all = results();
+  EXPECT_EQ(all["frames"][1]["size"], json::parse("[20, 9]"));
+  EXPECT_EQ(all["frames"][1]["shot"], 2);
+  ASSERT_EQ(run({"replay", "./my script.toml", "--resume", "--shard", "0/2"}).exit_code, 0);
+  EXPECT_EQ(pictures(), drawn);
+}
+
+TEST_F(ReplayTest, PresetsInTheFolderOfItsNameComeFirst) {
+  fs::create_directories(at("my script/scenes"));
+  fs::copy_file(fs::path(PLUME_SOURCE_PRESETS) / "scenes/quads_mcguire.toml",
+                at("my script/scenes/street.toml"));
+  const std::string script = "name = 'R'\nsize = [16, 9]\nframes = 1\nticks = [0]\n" + std::string(kSorted);
+  ASSERT_EQ(replay("scene = 'street'\n" + script, {"--out", "by id"}).exit_code, 0);
+  ASSERT_EQ(replay("scene = 'scenes/street.toml'\n" + script, {"--out", "by path"}).exit_code, 0);
+  ASSERT_EQ(replay("scene = 'quads_mcguire'\n" + script, {"--out", "library"}).exit_code, 0);
+  EXPECT_EQ(read("by id/street_000000_sorted.png"), read("library/quads_mcguire_000000_sorted.png"));
+  EXPECT_EQ(pictures("by id"), pictures("by path"));
+}
+
 TEST_F(ReplayTest, SeedOfTheCommandLineBeatsTheScripts) {
   const auto hash = [&](const std::string& seed, const Arguments& more) {
     EXPECT_EQ(replay(seed + street_script("[60]", kSorted), more).exit_code, 0);
