@@ -1,0 +1,229 @@
+// A session, driven by a script instead of a hand, and what can be taken out of it.
+#include "sandbox/workspace/recorder.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "sandbox/measure/image_io.h"
+#include "sandbox/workspace/image_sequence.h"
+#include "sandbox/workspace/settings.h"
+#include "sandbox/workspace/shown_picture.h"
+#include "tests/gpu/gpu_test.h"
+
+namespace plume {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr glm::uvec2 kSize{64, 36};
+
+class SessionTest : public GpuTest {
+ protected:
+  SessionTest() { fs::remove_all(folder); }
+  ~SessionTest() override { fs::remove_all(folder); }
+
+  Workspace open(const std::string& scene, uint32_t tick) {
+    Scene read = library.scene(scene);
+    return Workspace(device, pipelines, library, read, Playback(tick, read.duration_ticks, false));
+  }
+  void choose(Workspace& workspace, Side& side, const std::string& id) {
+    for (size_t i = 0; i < side.methods.size(); ++i)
+      if (side.methods[i].method->id() == id) workspace.choose_method(side, i);
+  }
+
+  const fs::path folder =
+      fs::path(testing::TempDir()) /
+      (std::string("plume_session_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+/// Records, and keeps what was seen.
+class RecorderTest : public SessionTest {
+ protected:
+  void draw(Workspace& workspace, glm::uvec2 size = kSize) {
+    workspace.draw(size);
+    recorder.note(workspace);
+    for (Side* side : {&workspace.a, &workspace.b})
+      if (workspace.shows(*side)) seen.push_back(read_picture(device, *side->targets).display);
+  }
+  /// Saves, lets the program play it, and compares.
+  void expect_replay_shows_what_was_seen() {
+    const fs::path file = folder / "my recording.toml";
+    recorder.save(file, library);
+    EXPECT_FALSE(recorder.is_recording());
+    const std::string command = fmt::format(
+        "PLUME_CACHE=off PLUME_PRESETS='{}' '{}' replay '{}' --out '{}' >'{}' 2>&1", PLUME_SOURCE_PRESETS,
+        PLUME_PROGRAM, file.string(), (folder / "out").string(), (folder / "said").string());
+    ASSERT_EQ(std::system(command.c_str()), 0) << said();
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder / "out"))
+      if (entry.path().extension() == ".png") files.push_back(entry.path());
+    std::ranges::sort(files);
+    ASSERT_EQ(files.size(), seen.size());
+    for (size_t i = 0; i < files.size(); ++i)
+      EXPECT_EQ(read_png(files[i]).pixels, seen[i].pixels) << files[i].filename();
+  }
+  std::string said() const {
+    std::ifstream in(folder / "said");
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  Recorder recorder;
+  std::vector<DisplayImage> seen;
+};
+
+TEST_F(RecorderTest, ReplayShowsWhatWasSeenToTheBit) {
+  Workspace workspace = open("quads_mcguire", 0);
+  draw(workspace);  // before: not recorded
+  seen.clear();
+  recorder.start(workspace);
+  draw(workspace);
+  workspace.set_camera({.position = {0.3f, 0.2f, 4.1f}, .target = {0.05f, 0, 0}, .vertical_fov_deg = 38.7f});
+  draw(workspace);
+  choose(workspace, workspace.a, "wboit");
+  draw(workspace);
+  set_parameter(*workspace.a.method().method, "weight", "eq9");
+  set_parameter(*workspace.a.method().method, "depth_scale", "0.3");
+  draw(workspace);
+  draw(workspace, {50, 41});
+  workspace.compare(Comparison::kSplit);
+  choose(workspace, workspace.b, "sorted");
+  draw(workspace);
+  workspace.follow_scene_camera();
+  workspace.compare(Comparison::kFlip);
+  draw(workspace);
+  EXPECT_EQ(recorder.shots(), seen.size());
+  expect_replay_shows_what_was_seen();
+}
+
+TEST_F(RecorderTest, ReplayShowsScenesAndEffectsAsTheyWereThen) {
+  // A library of one's own, whose effect changes while one records.
+  fs::create_directories(folder / "presets");
+  for (const char* kind : {"effects", "scenes", "meshes"})
+    fs::copy(fs::path(PLUME_SOURCE_PRESETS) / kind, folder / "presets" / kind);
+  library = PresetLibrary(folder / "presets");
+  Workspace workspace = open("grenade", 100);
+  choose(workspace, workspace.a, "wboit");
+  recorder.start(workspace);
+  draw(workspace);
+  workspace.change_scene([](Scene& scene) { scene.light.sun_color = {1, 0.1f, 0.2f}; });
+  draw(workspace);
+  const fs::path smoke = library.find(PresetKind::kEffect, workspace.scene().instances.at(0).effect);
+  std::string text = library.effect(smoke.string()).text;
+  const size_t life = text.find("life = [");
+  ASSERT_NE(life, text.npos);
+  text.replace(life, text.find(']', life) - life, "life = [40, 60");
+  std::ofstream(smoke) << text;
+  workspace.open_scene("grenade");
+  workspace.playback.go_to(100);
+  draw(workspace);
+  EXPECT_EQ(recorder.shots(), 3u);
+  EXPECT_NE(seen[2].pixels, seen[0].pixels);
+  EXPECT_NE(seen[1].pixels, seen[0].pixels);
+  library = PresetLibrary(PLUME_SOURCE_PRESETS);
+  expect_replay_shows_what_was_seen();
+  EXPECT_TRUE(fs::exists(folder / "my recording/scenes/2/grenade.toml"));
+  EXPECT_TRUE(fs::exists(folder / "my recording/effects/3" / smoke.filename()));
+}
+
+TEST_F(RecorderTest, ReplayRemembersWhatWasNotLookedAt) {
+  Workspace workspace = open("campfire", 200);
+  choose(workspace, workspace.a, "wboit");
+  draw(workspace);
+  seen.clear();
+  recorder.start(workspace);
+  draw(workspace);
+  CameraKey away = workspace.camera();
+  away.target = 2.0f * away.position - away.target;
+  workspace.set_camera(away);
+  for (int i = 0; i < 20; ++i) {  // the fire stands still behind one's back
+    workspace.playback.step_forward();
+    draw(workspace);
+  }
+  workspace.follow_scene_camera();
+  draw(workspace);
+  expect_replay_shows_what_was_seen();
+}
+
+TEST_F(RecorderTest, TakesAPictureDownOnceWhileItStaysTheSame) {
+  Workspace workspace = open("quads_mcguire", 0);
+  recorder.start(workspace);
+  for (int i = 0; i < 3; ++i) draw(workspace);
+  EXPECT_EQ(recorder.shots(), 1u);
+  workspace.compare(Comparison::kSplit);
+  for (int i = 0; i < 3; ++i) draw(workspace);
+  EXPECT_EQ(recorder.shots(), 3u);
+  workspace.compare(Comparison::kNone);
+  draw(workspace);
+  EXPECT_EQ(recorder.shots(), 4u);
+}
+
+TEST_F(RecorderTest, SavesNoRecordingOfNothing) {
+  Workspace workspace = open("quads_mcguire", 0);
+  recorder.start(workspace);
+  EXPECT_THROW(recorder.save(folder / "nothing.toml", library), std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(SessionTest, PicturesOfARangeAreThoseOfItsTicksAndLeaveTheWorkspaceAsItWas) {
+  Workspace workspace = open("grenade", 30);
+  choose(workspace, workspace.a, "wboit");
+  workspace.playback.toggle();
+  workspace.resolution.set_step(4);
+  {
+    ImageSequence sequence(
+        workspace, {.folder = folder / "pictures", .first = 60, .last = 65, .step = 2, .size = kSize});
+    EXPECT_EQ(sequence.total(), 3u);
+    while (!sequence.is_done()) sequence.advance();
+  }
+  EXPECT_TRUE(workspace.playback.playing());
+  EXPECT_EQ(workspace.playback.tick(), 30u);
+  EXPECT_EQ(workspace.resolution.step(), 4u);
+  EXPECT_TRUE(workspace.is_outdated());
+  workspace.resolution.set_step(0);
+  workspace.playback.go_to(64);
+  workspace.draw(kSize);
+  EXPECT_EQ(read_png(folder / "pictures/frame_000003.png").pixels, shown_picture(workspace).pixels);
+  EXPECT_FALSE(fs::exists(folder / "pictures/frame_000004.png"));
+}
+
+TEST_F(SessionTest, PictureOfASplitViewHasBothSides) {
+  Workspace workspace = open("quads_mcguire", 0);
+  workspace.compare(Comparison::kSplit);
+  choose(workspace, workspace.b, "wboit");
+  workspace.divider = 0.25f;
+  workspace.draw(kSize);
+  const DisplayImage both = shown_picture(workspace);
+  const DisplayImage a = read_picture(device, *workspace.a.targets).display;
+  const DisplayImage b = read_picture(device, *workspace.b.targets).display;
+  ASSERT_NE(a.pixels, b.pixels);
+  for (int y = 0; y < both.height; ++y)
+    for (int x = 0; x < both.width; ++x) EXPECT_EQ(both.at(x, y), (x < 16 ? a : b).at(x, y));
+}
+
+TEST_F(SessionTest, SettingsCarryMethodsAndParametersOver) {
+  Settings settings;
+  {
+    Workspace workspace = open("quads_mcguire", 0);
+    choose(workspace, workspace.a, "wboit");
+    choose(workspace, workspace.b, "moments");
+    set_parameter(*workspace.a.method().method, "depth_scale", "0.3");
+    workspace.resolution = {};
+    workspace.resolution.set_step(3);
+    workspace.resolution.frames_per_second = 24;
+    take_settings(workspace, settings);
+  }
+  settings = read_settings_text(settings_text(settings), "x");
+  EXPECT_EQ(settings.a.parameters.size(), 1u);
+  settings.a.parameters["gone"] = {{"x", "1"}};
+  settings.a.parameters["wboit"]["gone too"] = "1";
+  Workspace workspace = open("quads_mcguire", 0);
+  EXPECT_EQ(apply_settings(settings, workspace).size(), 2u);
+  EXPECT_EQ(workspace.a.method().method->id(), "wboit");
+  EXPECT_EQ(workspace.b.method().method->id(), "moments");
+  EXPECT_EQ(parameter_texts(*workspace.a.method().method).at("depth_scale"), "0.3");
+  EXPECT_EQ(workspace.resolution.step(), 3u);
+  EXPECT_EQ(workspace.resolution.frames_per_second, 24);
+}
+
+}  // namespace
+}  // namespace plume
