@@ -2,16 +2,18 @@
 #include <fmt/format.h>
 
 #include "sandbox/commands/command.h"
+#include "sandbox/measure/file_bytes.h"
 #ifdef PLUME_WINDOW
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/window/viewer.h"
+#include "sandbox/workspace/settings.h"
 #endif
 
 namespace plume {
 namespace {
 
 struct OpenFlags : DrawFlags {
-  std::string scene = "street", screenshot, dump, view;
+  std::string scene, screenshot, dump, view;
   std::vector<double> crosshair;
   std::vector<std::string> crosshair_methods;
   std::optional<uint32_t> tick;
@@ -20,16 +22,100 @@ struct OpenFlags : DrawFlags {
 
 #ifdef PLUME_WINDOW
 constexpr bool kHasWindow = true;
-constexpr glm::uvec2 kWindowSize{1280, 720};
+constexpr const char* kFirstScene = "street";
+
+Scene checked_scene(const PresetLibrary& library, const std::string& name) {
+  Scene scene = library.scene(name);
+  if (auto unknown = check_references(scene, library); !unknown.empty()) throw FileErrors(std::move(unknown));
+  return scene;
+}
+
+/// The scene that was asked for, else the last one, else the first of all. Notes which in the settings.
+Scene first_scene(const PresetLibrary& library, const std::string& asked_for, Settings& settings) {
+  std::string name = !asked_for.empty() ? asked_for : settings.scene.empty() ? kFirstScene : settings.scene;
+  std::optional<Scene> scene;
+  try {
+    scene = checked_scene(library, name);
+  } catch (const std::exception& error) {
+    if (!asked_for.empty()) throw;
+    warn(fmt::format("{} is no longer there to open: {}", name, error.what()));
+    scene = checked_scene(library, name = kFirstScene);
+  }
+  if (name.find('/') != name.npos || name.ends_with(".toml")) name = std::filesystem::absolute(name).string();
+  visit_scene(settings, name);
+  return *std::move(scene);
+}
+
+/// The window was closed in the middle of a recording.
+void save_what_is_recorded(Recording& recording, Workspace& workspace) {
+  if (!recording.recorder().is_recording()) return;
+  workspace.problem.clear();
+  recording.toggle(workspace);
+  if (const std::string& news = recording.said + workspace.problem; !news.empty()) warn(news);
+}
+
+/// What the last session left.
+class KeptSettings {
+ public:
+  KeptSettings() {
+    if (const auto folder = config_folder()) file_ = *folder / "settings.toml";
+    try {
+      if (!file_.empty()) settings = load_settings(file_);
+    } catch (const FileErrors& errors) {
+      broken_ = errors.what();
+    }
+  }
+
+  /// The window is open: what could not be used is told there too.
+  void begin(Viewer& viewer, Workspace& workspace) {
+    Interface& interface = viewer.interface();
+    interface.settings = settings;
+    interface.panels = settings.panels;
+    interface.full_screen = settings.full_screen;
+    interface.text_scale = settings.text_scale;
+    std::vector<std::string> lines = apply_settings(settings, workspace);
+    if (!broken_.empty()) lines.insert(lines.end(), {broken_, put_aside(file_)});
+    for (const std::string& line : lines) {
+      warn(line);
+      workspace.problem += line + "\n";
+    }
+  }
+
+  /// The session has ended well.
+  void keep(Viewer& viewer, Workspace& workspace, const GlfwWindow& window) {
+    if (file_.empty()) return;
+    const Interface& interface = viewer.interface();
+    settings = interface.settings;
+    settings.panels = interface.panels;
+    settings.full_screen = interface.full_screen;
+    settings.text_scale = interface.text_scale;
+    const glm::ivec4 place = window.placement();
+    settings.window_corner = {place.x, place.y};
+    settings.window_size = {uint32_t(place.z), uint32_t(place.w)};
+    take_settings(workspace, settings);
+    try {
+      save_settings(file_, settings);
+    } catch (const FileError& error) {
+      warn(fmt::format("the settings are not kept: {}", error.what()));
+    }
+  }
+
+  Settings settings;
+
+ private:
+  std::filesystem::path file_;  // "": nothing is kept
+  std::string broken_;
+};
 
 int run_open(const OpenFlags& flags) {
   const PresetLibrary library(preset_root());
-  Scene scene = library.scene(flags.scene);
-  if (auto unknown = check_references(scene, library); !unknown.empty()) throw FileErrors(std::move(unknown));
+  KeptSettings kept;
+  Scene scene = first_scene(library, flags.scene, kept.settings);
   if (flags.seed) scene.seed = *flags.seed;
   const Playback playback(flags.tick.value_or(scene.default_tick), scene.duration_ticks, !flags.tick);
 
-  GlfwWindow window(fmt::format("Plume: {}", scene.name), kWindowSize);
+  GlfwWindow window(fmt::format("Plume: {}", scene.name), kept.settings.window_size,
+                    kept.settings.window_corner);
   gpu::DeviceOptions options = device_options(flags);
   options.instance_extensions = window.instance_extensions();
   options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
@@ -40,11 +126,14 @@ int run_open(const OpenFlags& flags) {
     if (const auto view = Inspector::find(*workspace.a.method().method, flags.view))
       workspace.a.view.choose(*view);
     Viewer viewer(window, workspace);
+    kept.begin(viewer, workspace);
     if (!flags.crosshair.empty())
       viewer.place_crosshair({flags.crosshair[0], flags.crosshair[1]}, flags.crosshair_methods);
     viewer.run(flags.frames);
     if (!flags.dump.empty()) viewer.save_crosshair(flags.dump);
     if (!flags.screenshot.empty()) viewer.save_picture(flags.screenshot);
+    save_what_is_recorded(viewer.interface().recording, workspace);
+    kept.keep(viewer, workspace, window);
   }
   return report_validation(session.device);
 }
@@ -70,8 +159,8 @@ bool is_scene(const std::string& name) try {
 void add_open(CLI::App& program, Run& run) {
   auto flags = std::make_shared<OpenFlags>();
   CLI::App* command = program.add_subcommand("open", "a scene in a window; also what no command means");
-  command->add_option("SCENE", flags->scene, "an id of `plume list scenes`, or a file")
-      ->capture_default_str();
+  command->add_option("SCENE", flags->scene,
+                      "an id of `plume list scenes`, or a file; otherwise the last one, at first `street`");
   command
       ->add_option("--at", flags->tick,
                    "start at this tick, 1/60 s, and paused; otherwise the scene plays from its own")

@@ -4,6 +4,8 @@
 
 #include "sandbox/debugger/effect_selection.h"
 #include "sandbox/workspace/crosshair.h"
+#include "sandbox/workspace/recording.h"
+#include "sandbox/workspace/settings.h"
 
 namespace plume {
 
@@ -33,6 +35,10 @@ struct Interface {
   bool help = false;   ///< the list of keys is open
   bool full_screen = false;
   bool closing = false;
+  float text_scale = 1.0f;  ///< the user's, besides that of the monitor
+  Recording recording{};
+  Settings settings{};  ///< of the last session; those of this one are taken when it ends
+  bool has_ffmpeg = Video::is_available();
 };
 
 }  // namespace plume

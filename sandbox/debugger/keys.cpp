@@ -44,6 +44,10 @@ void turn(Workspace& workspace, Comparison comparison) {
   workspace.compare(workspace.comparison() == comparison ? Comparison::kNone : comparison);
 }
 
+void scale_text(Interface& interface, float by) {
+  interface.text_scale = std::clamp(interface.text_scale + by, kSmallestText, kLargestText);
+}
+
 struct Action {
   KeyPress press;
   const char* name;  ///< of the key
@@ -106,6 +110,16 @@ constexpr std::array kActions{
     Action{{key('Z'), false, true}, "Ctrl+Z", "undo an edit of the selected effect", undo_edit},
     Action{{key('Z'), true, true}, "Ctrl+Shift+Z", "redo it", redo_edit},
     Action{{key('S'), false, true}, "Ctrl+S", "save the selected effect", save_effect},
+    Action{{key('R'), false, true},
+           "Ctrl+R",
+           "record the session as a replay; again: stop and save",
+           [](Interface& i) { i.recording.toggle(i.workspace); }},
+    Action{{Key::kF12},
+           "F12",
+           "save the picture, without the panels",
+           [](Interface& i) { i.recording.save_picture(i.workspace); }},
+    Action{{key('='), false, true}, "Ctrl+=", "larger text", [](Interface& i) { scale_text(i, 0.125f); }},
+    Action{{key('-'), false, true}, "Ctrl+-", "smaller text", [](Interface& i) { scale_text(i, -0.125f); }},
     Action{{Key::kTab}, "Tab", "hide and show the panels", [](Interface& i) { i.panels = !i.panels; }},
     Action{{Key::kF1}, "F1", "this list", [](Interface& i) { i.help = !i.help; }},
     Action{{Key::kF11}, "F11", "full screen", [](Interface& i) { i.full_screen = !i.full_screen; }},

@@ -9,6 +9,7 @@
 #include "sandbox/debugger/effects_panel.h"
 #include "sandbox/debugger/keys.h"
 #include "sandbox/debugger/method_panel.h"
+#include "sandbox/debugger/record_panel.h"
 #include "sandbox/debugger/scene_panel.h"
 #include "sandbox/debugger/timeline.h"
 #include "sandbox/debugger/timings_panel.h"
@@ -28,11 +29,9 @@ struct Panel {
 };
 
 constexpr std::array kPanels{
-    Panel{"Scene", Dock::kLeft, scene_panel},
-    Panel{"View", Dock::kLeft, view_panel},
-    Panel{"Effects", Dock::kLeft, effects_panel},
-    Panel{"Method", Dock::kRight, method_panel},
-    Panel{"Cost", Dock::kRight, timings_panel},
+    Panel{"Scene", Dock::kLeft, scene_panel},     Panel{"View", Dock::kLeft, view_panel},
+    Panel{"Effects", Dock::kLeft, effects_panel}, Panel{"Record", Dock::kLeft, record_panel},
+    Panel{"Method", Dock::kRight, method_panel},  Panel{"Cost", Dock::kRight, timings_panel},
 };
 
 // In lines of text, so that they grow with the font.

@@ -7,17 +7,22 @@
 namespace plume {
 namespace {
 
-void pick_scene(Workspace& workspace) {
+void pick_scene(Workspace& workspace, const std::vector<std::string>& recent) {
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##scene", workspace.scene().id.c_str(), ImGuiComboFlags_HeightLargest)) return;
-  for (const std::string& id : workspace.library().ids(PresetKind::kScene)) {
-    if (!ImGui::Selectable(id.c_str(), id == workspace.scene().id)) continue;
+  const auto offer = [&](const std::string& name) {
+    if (!ImGui::Selectable(name.c_str(), name == workspace.scene().id)) return;
     try {
-      workspace.open_scene(id);
+      workspace.open_scene(name);
     } catch (const std::exception& problem) {
       workspace.problem = problem.what();
     }
-  }
+  };
+  ImGui::PushID("recent");
+  for (const std::string& name : std::vector(recent)) offer(name);  // a copy: opening one changes the list
+  ImGui::PopID();
+  if (!recent.empty()) ImGui::Separator();
+  for (const std::string& id : workspace.library().ids(PresetKind::kScene)) offer(id);
   ImGui::EndCombo();
 }
 
@@ -25,7 +30,7 @@ void pick_scene(Workspace& workspace) {
 
 void scene_panel(Interface& interface) {
   Workspace& workspace = interface.workspace;
-  pick_scene(workspace);
+  pick_scene(workspace, interface.settings.recent_scenes);
   note(workspace.scene().description);
   ImGui::BeginDisabled(!workspace.has_own_camera());
   if (ImGui::Button("scene's camera")) workspace.follow_scene_camera();

@@ -49,6 +49,20 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
   return best;
 }
 
+/// Whether enough of a window's upper edge is on some monitor to take hold of it.
+bool is_reachable(glm::ivec2 corner, glm::uvec2 size) {
+  constexpr int kGrip = 48;
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  return std::any_of(monitors, monitors + count, [&](GLFWmonitor* monitor) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    int left, top;
+    glfwGetMonitorPos(monitor, &left, &top);
+    return mode && corner.x + int(size.x) > left + kGrip && corner.x + kGrip < left + mode->width &&
+           corner.y >= top - kGrip && corner.y + kGrip < top + mode->height;
+  });
+}
+
 }  // namespace
 
 GlfwWindow::Library::Library() {
@@ -65,11 +79,14 @@ GlfwWindow::Events& GlfwWindow::events_of(GLFWwindow* window) {
   return *static_cast<Events*>(glfwGetWindowUserPointer(window));
 }
 
-GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size) {
+GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<glm::ivec2> corner) {
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // until it is in its place
   window_.reset(glfwCreateWindow(int(size.x), int(size.y), title.c_str(), nullptr, nullptr));
   if (!window_) refuse("no window can be opened");
 
+  if (corner && is_reachable(*corner, size)) glfwSetWindowPos(window_.get(), corner->x, corner->y);
+  glfwShowWindow(window_.get());
   glfwSetWindowSizeLimits(window_.get(), 320, 180, GLFW_DONT_CARE,
                           GLFW_DONT_CARE);  // panels must stay usable
 
@@ -114,6 +131,14 @@ void GlfwWindow::set_full_screen(bool full_screen) {
   glfwGetWindowPos(window, &windowed_.x, &windowed_.y);
   glfwGetWindowSize(window, &windowed_.z, &windowed_.w);
   glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+glm::ivec4 GlfwWindow::placement() const {
+  if (glfwGetWindowMonitor(window_.get())) return windowed_;
+  glm::ivec4 now;
+  glfwGetWindowPos(window_.get(), &now.x, &now.y);
+  glfwGetWindowSize(window_.get(), &now.z, &now.w);
+  return now;
 }
 
 void GlfwWindow::set_title(const std::string& title) {

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace plume {
 class GlfwWindow {
  public:
   /// Throws gpu::NoUsableDevice, with the commands that need no display, when there is none.
-  GlfwWindow(const std::string& title, glm::uvec2 size);
+  /// `corner` is left to the desktop where there is none, or no monitor is there any more.
+  GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<glm::ivec2> corner = {});
 
   /// What a Vulkan instance must have for make_surface().
   std::vector<const char*> instance_extensions() const;
@@ -30,6 +32,8 @@ class GlfwWindow {
   void close();
   /// Over the whole monitor it is on, or back to where it was.
   void set_full_screen(bool full_screen);
+  /// Position and size while it is not full-screen, in screen coordinates.
+  glm::ivec4 placement() const;
   void set_title(const std::string& title);
   bool holds(Key key) const;
   bool holds_button(Button button) const { return events_->held[size_t(button)]; }

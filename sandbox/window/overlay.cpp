@@ -6,11 +6,14 @@
 #include <imgui_impl_vulkan.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/gpu/errors.h"
 
 namespace plume {
 namespace {
+
+constexpr float kTextPixels = 13;  // what ImGui's font is drawn for
 
 void check(VkResult result) {
   if (result < 0)
@@ -54,8 +57,6 @@ Overlay::Context::Context() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
-  ImGui::StyleColorsDark();
-  ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.8f;
 }
 Overlay::Context::~Context() {
   ImGui::DestroyContext();
@@ -68,15 +69,15 @@ Overlay::WindowBackend::~WindowBackend() {
   ImGui_ImplGlfw_Shutdown();
 }
 
-Overlay::VulkanBackend::VulkanBackend(gpu::Device& device, vk::DescriptorPool pool,
-                                      vk::RenderPass render_pass) {
+Overlay::VulkanBackend::VulkanBackend(gpu::Device& device, vk::RenderPass render_pass)
+    : descriptors(make_descriptors(device)) {
   ImGui_ImplVulkan_InitInfo info{
       .Instance = static_cast<VkInstance>(*device.instance()),
       .PhysicalDevice = static_cast<VkPhysicalDevice>(*device.physical()),
       .Device = static_cast<VkDevice>(*device.vk()),
       .QueueFamily = device.queue_family(),
       .Queue = static_cast<VkQueue>(*device.queue()),
-      .DescriptorPool = static_cast<VkDescriptorPool>(pool),
+      .DescriptorPool = static_cast<VkDescriptorPool>(*descriptors),
       .MinImageCount = 2,  // of its vertex buffers; one would do, since frames are waited for
       .ImageCount = 2,
       .MSAASamples = VK_SAMPLE_COUNT_1_BIT,
@@ -92,13 +93,30 @@ Overlay::VulkanBackend::~VulkanBackend() {
 }
 
 Overlay::Overlay(gpu::Device& device, const GlfwWindow& window, vk::Format format)
-    : device_(device),
-      render_pass_(make_render_pass(device, format)),
-      descriptors_(make_descriptors(device)),
-      window_backend_(window),
-      vulkan_backend_(device, *descriptors_, *render_pass_) {}
+    : device_(device), render_pass_(make_render_pass(device, format)), window_backend_(window) {}
 
-void Overlay::begin() {
+void Overlay::fit_text(float scale, float pixel_ratio) {
+  ImGuiStyle style;
+  ImGui::StyleColorsDark(&style);
+  style.Colors[ImGuiCol_WindowBg].w = 0.8f;
+  style.ScaleAllSizes(scale);
+  ImGui::GetStyle() = style;
+  ImFontConfig font;
+  font.SizePixels = std::round(kTextPixels * scale * pixel_ratio);
+  font.OversampleH = font.OversampleV = 1;
+  font.PixelSnapH = true;
+  ImGuiIO& io = ImGui::GetIO();
+  vulkan_backend_.reset();
+  io.Fonts->Clear();
+  io.Fonts->AddFontDefault(&font);
+  io.FontGlobalScale = 1 / pixel_ratio;
+  vulkan_backend_.emplace(device_, *render_pass_);
+  text_scale_ = scale;
+  pixel_ratio_ = pixel_ratio;
+}
+
+void Overlay::begin(float text_scale, float pixel_ratio) {
+  if (text_scale != text_scale_ || pixel_ratio != pixel_ratio_) fit_text(text_scale, pixel_ratio);
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();

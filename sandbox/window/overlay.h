@@ -3,6 +3,8 @@
 #ifndef PLUME_WINDOW_OVERLAY_H
 #define PLUME_WINDOW_OVERLAY_H
 
+#include <optional>
+
 #include "sandbox/window/glfw_window.h"
 #include "sandbox/window/swapchain.h"
 
@@ -13,8 +15,9 @@ class Overlay {
   /// Draws into images of `format`.
   Overlay(gpu::Device& device, const GlfwWindow& window, vk::Format format);
 
-  /// ImGui's panels may be described between the two.
-  void begin();
+  /// ImGui's panels may be described between the two. `text_scale` is of the text and all around it, in
+  /// ImGui's coordinates, each of which is `pixel_ratio` pixels.
+  void begin(float text_scale, float pixel_ratio);
   void end();
   /// Whether the pointer, or the keyboard, is busy in a panel; asked after begin().
   bool takes_pointer() const;
@@ -36,18 +39,20 @@ class Overlay {
     WindowBackend(const WindowBackend&) = delete;
   };
   struct VulkanBackend {
-    VulkanBackend(gpu::Device& device, vk::DescriptorPool pool, vk::RenderPass render_pass);
+    VulkanBackend(gpu::Device& device, vk::RenderPass render_pass);
     ~VulkanBackend();
     VulkanBackend(const VulkanBackend&) = delete;
+    vk::raii::DescriptorPool descriptors;
   };
+  void fit_text(float scale, float pixel_ratio);
 
   gpu::Device& device_;
   vk::raii::RenderPass render_pass_;
-  vk::raii::DescriptorPool descriptors_;
   vk::raii::Framebuffer framebuffer_{nullptr};
   Context context_;
   WindowBackend window_backend_;
-  VulkanBackend vulkan_backend_;
+  std::optional<VulkanBackend> vulkan_backend_;  // made anew with the font's texture
+  float text_scale_ = 0, pixel_ratio_ = 0;
 };
 
 }  // namespace plume

@@ -31,20 +31,26 @@ Viewer::Viewer(GlfwWindow& window, Workspace& workspace)
       overlay_(workspace.device(), window, swapchain_.format()) {}
 
 void Viewer::run(uint32_t frames) {
+  std::string scene = workspace_.scene().id;
   for (uint32_t shown = 0; !window_.closing() && (frames == 0 || shown < frames);) {
     const WindowInput input = window_.wait(idle_s());
-    overlay_.begin();
+    overlay_.begin(window_.content_scale() / window_.pixel_ratio() * interface_.text_scale,
+                   window_.pixel_ratio());
     area_ = describe_panels(interface_);
     react_to(input);
     overlay_.end();
+    if (scene != workspace_.scene().id) visit_scene(interface_.settings, scene = workspace_.scene().id);
     if (interface_.closing) window_.close();
     window_.set_full_screen(interface_.full_screen);
     if (window_.closing() || window_.size() == glm::uvec2(0)) continue;  // size 0: minimised
 
-    if (workspace_.advance(now_s()) || drawn_for_ != picture_area())
+    if (interface_.recording.advance(workspace_)) {
+      // it draws for itself
+    } else if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) {
       draw();
-    else if (workspace_.compares && !workspace_.playback.playing() && !dragging_)
+    } else if (workspace_.compares && !workspace_.playback.playing() && !dragging_) {
       workspace_.measure_accuracy();
+    }
     interface_.crosshair.update(workspace_, now_s());
     if (show()) ++shown;
   }
@@ -54,6 +60,7 @@ void Viewer::draw() {
   const bool moves = workspace_.playback.playing() || dragging_;
   drawn_for_ = picture_area();
   workspace_.draw(drawn_for_);
+  interface_.recording.note(workspace_);
   if (moves && workspace_.resolution.learn(workspace_.frame_ms())) workspace_.change();
 }
 
@@ -175,7 +182,8 @@ double Viewer::now_s() const {
 
 double Viewer::idle_s() const {
   const bool hidden = window_.size() == glm::uvec2(0);
-  const bool due = workspace_.is_outdated() || workspace_.always_draw || dragging_;
+  const bool due = workspace_.is_outdated() || workspace_.always_draw || dragging_ ||
+                   interface_.recording.sequence().has_value();
   if (hidden || (!due && !workspace_.playback.playing())) return kIdleSeconds;
   return !due ? workspace_.playback.seconds_to_next(now_s()) : 0.0;
 }

@@ -15,6 +15,7 @@ class Viewer {
  public:
   Viewer(GlfwWindow& window, Workspace& workspace);
 
+  Interface& interface() { return interface_; }
   /// Until the user closes the window, or so many frames were shown (0: no such end).
   void run(uint32_t frames);
   /// Side A as it was last drawn, without the panels, as PNG. Throws when nothing was drawn, and FileError.

@@ -155,11 +155,56 @@ TEST_F(WindowTest, AClickPlacesTheCrosshairAndArrowsMoveIt) {
   const json shown = json::parse(read("crosshair.json"));
   const double width = shown["size"][0], height = shown["size"][1];
   // Where it was clicked, in heights of the picture, which fills what the panels leave of the window.
-  constexpr double kLeft = 20 * 13, kRight = 1280 - 24 * 13, kBottom = 720 - (4.6 + 19) * 13;
+  constexpr double kLeft = 24 * 13, kRight = 1280 - 24 * 13, kBottom = 720 - (4.6 + 19) * 13;
   const double x = (600 - 0.5 * (kLeft + kRight)) / kBottom, y = (150 - 0.5 * kBottom) / kBottom;
   EXPECT_NEAR(shown["pixel"][0].get<double>(), std::floor(x * height + 0.5 * width) + 20, 1);
   EXPECT_NEAR(shown["pixel"][1].get<double>(), std::floor(y * height + 0.5 * height) + 10, 1);
   EXPECT_FALSE(shown["fragments"].empty());
+}
+
+TEST_F(WindowTest, KeepsItsSettingsForTheNextSession) {
+  ASSERT_EQ(open({"open", "glass"}).exit_code, 0);
+  const std::string settings = read("config/settings.toml");
+  EXPECT_TRUE(says(settings, {"scene = \"glass\"", "size = [1280, 720]", "method = \"avboit\""}));
+  write("config/settings.toml",
+        "scene = 'quads_mcguire'\n[window]\nsize = [900, 500]\npanels = false\n[a]\nmethod = 'wboit'\n");
+  ASSERT_EQ(open({"open"}).exit_code, 0);
+  EXPECT_TRUE(says(read("config/settings.toml"), {"recent_scenes = [\"quads_mcguire\"]", "size = [900, 500]",
+                                                  "panels = false", "method = \"wboit\""}));
+  const DisplayImage picture = read_png(at("window.png"));
+  EXPECT_EQ(picture.width, 450);  // half of the window, which has no panels
+  EXPECT_EQ(picture.height, 250);
+}
+
+TEST_F(WindowTest, PutsBrokenSettingsAsideAndTellsWhatIsLeftOut) {
+  write("config/settings.toml", "scene = 3\n");
+  Outcome outcome = open({"open", "quads_mcguire"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(says(outcome.err, {"settings.toml:1:9", "settings.toml.broken"}));
+  EXPECT_EQ(read("config/settings.toml.broken"), "scene = 3\n");
+  write("config/settings.toml", "scene = 'gone'\n[a]\nmethod = 'gone as well'\n");
+  outcome = open({"open"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(says(outcome.err, {"gone is no longer there to open", "no method `gone as well`"}));
+  EXPECT_TRUE(says(read("config/settings.toml"), {"scene = \"street\""}));
+}
+
+TEST_F(WindowTest, LargerTextLeavesLessToThePicture) {
+  const auto width = [&](const char* scale) {
+    write("config/settings.toml", std::string("[window]\ntext_scale = ") + scale + "\n");
+    EXPECT_EQ(open({"open", "quads_mcguire"}).exit_code, 0);
+    return read_png(at("window.png")).width;
+  };
+  // The panels are 48 lines of text wide.
+  EXPECT_EQ(width("1.0"), (1280 - 48 * 13) / 2);
+  EXPECT_EQ(width("1.5"), (1280 - 48 * 20) / 2);
+}
+
+TEST_F(OpenTest, FailedStartWritesNothing) {
+  write("config/settings.toml", "scene = 3\n");
+  run({"open"}, kNoDisplay);
+  EXPECT_EQ(files("config"), (std::vector<std::string>{"settings.toml"}));
+  EXPECT_FALSE(fs::exists(at("cache")));
 }
 
 TEST_F(WindowTest, LostDeviceNamesThePass) {
