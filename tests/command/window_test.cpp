@@ -168,7 +168,7 @@ TEST_F(WindowTest, KeepsItsSettingsForTheNextSession) {
   EXPECT_TRUE(says(settings, {"scene = \"glass\"", "size = [1280, 720]", "method = \"avboit\""}));
   write("config/settings.toml",
         "scene = 'quads_mcguire'\n[window]\nsize = [900, 500]\npanels = false\n[a]\nmethod = 'wboit'\n");
-  ASSERT_EQ(open({"open"}).exit_code, 0);
+  ASSERT_EQ(open({"open", "--at", "0"}).exit_code, 0);
   EXPECT_TRUE(says(read("config/settings.toml"), {"recent_scenes = [\"quads_mcguire\"]", "size = [900, 500]",
                                                   "panels = false", "method = \"wboit\""}));
   const DisplayImage picture = read_png(at("window.png"));
@@ -192,7 +192,7 @@ TEST_F(WindowTest, PutsBrokenSettingsAsideAndTellsWhatIsLeftOut) {
 TEST_F(WindowTest, LargerTextLeavesLessToThePicture) {
   const auto width = [&](const char* scale) {
     write("config/settings.toml", std::string("[window]\ntext_scale = ") + scale + "\n");
-    EXPECT_EQ(open({"open", "quads_mcguire"}).exit_code, 0);
+    EXPECT_EQ(open({"open", "quads_mcguire", "--at", "0"}).exit_code, 0);
     return read_png(at("window.png")).width;
   };
   // The panels are 48 lines of text wide.
