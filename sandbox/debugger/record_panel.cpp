@@ -40,10 +40,7 @@ void record(Interface& interface) {
   ImGui::SameLine();
   if (ImGui::Button("picture")) recording.save_picture(interface.workspace);
   tooltip("Saves what is seen, without the panels, as PNG (F12).");
-  if (recorder.is_recording()) {
-    ImGui::SameLine();
-    text(fmt::format("recording, {} pictures", recorder.shots()));
-  }
+  if (recorder.is_recording()) text(fmt::format("recording, {} pictures", recorder.shots()));
 }
 
 void choose_range(const Workspace& workspace, Choice& choice) {
