@@ -128,19 +128,23 @@ TEST_F(RecorderTest, ReplayShowsScenesAndEffectsAsTheyWereThen) {
 TEST_F(RecorderTest, ReplayRemembersWhatWasNotLookedAt) {
   Workspace workspace = open("campfire", 200);
   choose(workspace, workspace.a, "wboit");
+  CameraKey away = workspace.camera();
+  away.target = 2.0f * away.position - away.target;
+  const auto look_away = [&] {  // the fire stands still behind one's back
+    workspace.set_camera(away);
+    for (int i = 0; i < 20; ++i) {
+      workspace.playback.step_forward();
+      draw(workspace);
+    }
+    workspace.follow_scene_camera();
+    draw(workspace);
+  };
   draw(workspace);
+  look_away();
   seen.clear();
   recorder.start(workspace);
   draw(workspace);
-  CameraKey away = workspace.camera();
-  away.target = 2.0f * away.position - away.target;
-  workspace.set_camera(away);
-  for (int i = 0; i < 20; ++i) {  // the fire stands still behind one's back
-    workspace.playback.step_forward();
-    draw(workspace);
-  }
-  workspace.follow_scene_camera();
-  draw(workspace);
+  look_away();
   expect_replay_shows_what_was_seen();
 }
 
