@@ -128,14 +128,14 @@ TEST_F(RecorderTest, ReplayShowsScenesAndEffectsAsTheyWereThen) {
 TEST_F(RecorderTest, ReplayRemembersWhatWasNotLookedAt) {
   Workspace workspace = open("campfire", 200);
   choose(workspace, workspace.a, "wboit");
-  CameraKey away = workspace.camera();
-  away.target = 2.0f * away.position - away.target;
+  const CameraKey away{.position = {0, 1, 300}, .target = {0, 1, 400}};
   const auto look_away = [&] {  // the fire stands still behind one's back
     workspace.set_camera(away);
     for (int i = 0; i < 20; ++i) {
       workspace.playback.step_forward();
       draw(workspace);
     }
+    for (const InstanceDemand& instance : workspace.stage().demand()) EXPECT_FALSE(instance.awake);
     workspace.follow_scene_camera();
     draw(workspace);
   };
