@@ -201,8 +201,9 @@ void hierarchy(Interface& interface) {
     instance_row(interface, i, demand[i]);
     ImGui::PopID();
   }
-  ImGui::GetStateStorage()->SetInt(rows, ImGui::TableGetRowIndex() + 1);
+  const int shown = ImGui::TableGetRowIndex() + 1;
   ImGui::EndTable();
+  ImGui::GetStateStorage()->SetInt(rows, shown);
 }
 
 void pick_effect_to_drop(Interface& interface) {
