@@ -33,16 +33,19 @@ struct Spawn {
   struct RateKey {
     uint32_t tick;
     double per_second;
+    bool operator==(const RateKey&) const = default;
   };
   struct Burst {
     uint32_t tick;
     uint32_t count;
+    bool operator==(const Burst&) const = default;
   };
   std::vector<RateKey>
       rate;  ///< linear between keys; 0 before the first and after the last; ticks ascend strictly
   std::vector<Burst> bursts;  ///< ticks ascend strictly
   Range<uint32_t> life_ticks{60, 60};
   double per_metre = 0;  ///< births for each metre that the instance travels on its path
+  bool operator==(const Spawn&) const = default;
 };
 
 /// What happens to a parent when it bears children. kLife: they come one by one while it lives.
@@ -65,6 +68,7 @@ struct Parent {
     if (event != BirthEvent::kLife) return count;
     return longest_life > first_tick ? (longest_life - first_tick - 1) / every_ticks + 1 : 0;
   }
+  bool operator==(const Parent&) const = default;
 };
 constexpr uint32_t kMostGenerations = 2;  ///< of children below an emitter that has a rate
 
@@ -81,6 +85,7 @@ struct Shape {
   MeshName mesh;           ///< mesh: births all over its surface, outwards is its normal
   float scale = 1.0f;      ///< mesh: metres for a unit of its file
   glm::vec3 offset_m{0.0f};
+  bool operator==(const Shape&) const = default;
 };
 
 struct Curl {
@@ -88,6 +93,7 @@ struct Curl {
   float scale_m = 1.0f;   ///< wavelength
   float speed = 0.0f;     ///< wavelengths per second the field drifts upwards
   uint32_t octaves = 1;   ///< 1..3
+  bool operator==(const Curl&) const = default;
 };
 
 /// A line vortex through the emitter's origin along +y.
@@ -95,6 +101,7 @@ struct Vortex {
   float strength = 0.0f;  ///< m/s^2 tangential at the core radius
   float radius_m = 1.0f;
   float pull = 0.0f;  ///< m/s^2 towards the axis
+  bool operator==(const Vortex&) const = default;
 };
 
 /// Pulls towards the nearest point of a segment, or to a point where both ends are the same: a softened point
@@ -103,6 +110,7 @@ struct Attractor {
   glm::vec3 from_m{0.0f}, to_m{0.0f};
   float strength = 0.0f;  ///< m/s^2 at the radius, towards it; negative repels
   float radius_m = 1.0f;  ///< inside, it softens to 0
+  bool operator==(const Attractor&) const = default;
 };
 
 /// Vectors on a grid that stands around the emitter: presets/fields/*.fga.
@@ -117,6 +125,7 @@ struct VectorField {
   float strength = 1.0f;  ///< times the file's vectors
   float scale = 1.0f;     ///< metres per unit of the file's bounds
   glm::vec3 offset_m{0.0f};
+  bool operator==(const VectorField&) const = default;
 };
 
 /// Where particles end.
@@ -128,6 +137,7 @@ struct KillVolume {
   float radius_m = 0.5f;               ///< sphere
   glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< plane: what is behind it dies
   bool outside = false;                ///< box, sphere: what is not inside dies
+  bool operator==(const KillVolume&) const = default;
 };
 
 enum class CollisionResponse : uint32_t { kBounce, kSlide, kDie, kStick };
@@ -139,6 +149,7 @@ struct Collision {
   float friction = 0.0f;     ///< Coulomb's coefficient
   float radius_m = 0.0f;     ///< of the particle's body
   float event_speed = 0.5f;  ///< m/s: slower impacts are no collision events
+  bool operator==(const Collision&) const = default;
 };
 
 /// Curl noise that moves what is drawn and leaves the state alone.
@@ -148,6 +159,7 @@ struct Displacement {
   float speed = 0.0f;    ///< wavelengths per second the field drifts upwards
   uint32_t octaves = 1;  ///< 1..3
   float grow_s = 0.0f;   ///< age at which it has its full amplitude
+  bool operator==(const Displacement&) const = default;
 };
 
 /// Places and directions are in the emitter's frame: about its origin, turned with the instance.
@@ -171,6 +183,7 @@ struct Motion {
   /// No state is kept: place and velocity follow from the age. With gravity, drag, wind and displacement
   /// only.
   bool analytic = false;
+  bool operator==(const Motion&) const = default;
 };
 
 enum class TextureKind : uint32_t { kPuff, kDisc, kSoft, kSolid };
@@ -222,6 +235,9 @@ struct Emitter {
   Motion motion;
   Look look;
 };
+
+/// Whether particles have the same states: what they look like does not matter.
+bool same_states(const std::vector<Emitter>& a, const std::vector<Emitter>& b);
 
 /// What an instance does while nobody sees it.
 enum class OffScreen : uint32_t {

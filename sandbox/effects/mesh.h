@@ -24,6 +24,7 @@ struct MeshName {
   std::string id;
   std::string file;
   uint32_t line = 1, column = 1;
+  bool operator==(const MeshName& other) const { return id == other.id; }
 };
 
 }  // namespace plume

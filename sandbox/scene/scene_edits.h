@@ -14,7 +14,6 @@ namespace plume {
 
 struct SceneEdits {
   std::map<std::string, Effect> effects;  ///< instead of the library's, by the name that the scene calls them
-  std::map<std::string, uint64_t> revisions;  ///< of those effects: the same number is the same effect
   std::set<size_t> muted;                 ///< instances that count as not called
   std::map<size_t, uint32_t> frozen;      ///< instances, and the tick after which their time stands still
 };

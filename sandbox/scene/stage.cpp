@@ -66,12 +66,6 @@ void Stage::add_instance(Instance instance, const SceneEdits& edits) {
   }
 }
 
-bool Stage::is_revised(const std::string& effect, const SceneEdits& edits) const {
-  const auto is = edits.revisions.find(effect), was = revisions_.find(effect);
-  const auto number = [](auto place, const auto& map) { return place == map.end() ? 0 : place->second; };
-  return number(is, edits.revisions) != number(was, revisions_);
-}
-
 /// What stands is replaced only once all that comes is made.
 void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits) {
   std::vector<Call> calls;
@@ -85,7 +79,9 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
     if (const auto frozen = edits.frozen.find(i); frozen != edits.frozen.end())
       freezes.push_back({frozen->second, kMaxTick});
     call_of[i] = uint32_t(calls.size());
-    const bool stays = i < call_of_.size() && !is_revised(instance.effect, edits);
+    const bool stays =
+        i < call_of_.size() && call_of_[i] &&
+        same_states(effects.at(instance.effect).emitters, effects_.at(instance.effect).emitters);
     was.push_back(stays ? call_of_[i] : std::nullopt);
     calls.push_back({.name = instance.name,
                      .effect = &effects.at(instance.effect),
@@ -115,7 +111,6 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
   lighting_ = std::move(lighting);
   effects_ = std::move(effects);  // which keeps their addresses
   call_of_ = std::move(call_of);
-  revisions_ = edits.revisions;
 }
 
 void Stage::fit_cards(uint32_t count) {

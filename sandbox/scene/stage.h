@@ -56,7 +56,6 @@ class Stage {
  private:
   std::map<std::string, Effect> effects_with(const SceneEdits& edits);
   void call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits);
-  bool is_revised(const std::string& effect, const SceneEdits& edits) const;
   void fit_cards(uint32_t count);
   std::vector<CardGroup> card_groups() const;
 
@@ -65,7 +64,6 @@ class Stage {
   const PresetLibrary& library_;
   Scene scene_;
   std::map<std::string, Effect> from_library_, effects_;  ///< by the name that the scene calls them
-  std::map<std::string, uint64_t> revisions_;
   std::vector<std::optional<uint32_t>> call_of_;
   gpu::Image puffs_;
   OpaqueScene opaque_;

@@ -69,13 +69,6 @@ std::map<std::string, Effect> EffectDocuments::edited() const {
   return effects;
 }
 
-std::map<std::string, uint64_t> EffectDocuments::revisions() const {
-  std::map<std::string, uint64_t> revisions;
-  for (const auto& [name, opened] : opened_)
-    if (const uint64_t edits = opened.document.revision() - opened.first_revision) revisions[name] = edits;
-  return revisions;
-}
-
 uint64_t EffectDocuments::revision() const {
   uint64_t sum = 0;
   for (const auto& [name, opened] : opened_) sum += opened.document.revision() - opened.first_revision;

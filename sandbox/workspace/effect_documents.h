@@ -34,8 +34,6 @@ class EffectDocuments {
   /// Effects that are not, or may not be, as the library had them: the last good of each document that ever
   /// changed.
   std::map<std::string, Effect> edited() const;
-  /// Of those, each: another number, another effect.
-  std::map<std::string, uint64_t> revisions() const;
   /// Counts up when edited() has changed.
   uint64_t revision() const;
   /// Names of those with something to save.

@@ -58,7 +58,6 @@ void Workspace::open_documents() {
 
 SceneEdits Workspace::edits() const {
   return {.effects = documents.edited(),
-          .revisions = documents.revisions(),
           .muted = switches.silent(scene().instances.size()),
           .frozen = switches.frozen};
 }
@@ -81,9 +80,8 @@ void Workspace::open_scene(const std::string& id) {
   if (auto unknown = check_references(scene, library_); !unknown.empty())
     throw FileErrors(std::move(unknown));
   const Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
-  stage_ =
-      std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene),
-                              SceneEdits{.effects = documents.edited(), .revisions = documents.revisions()});
+  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene),
+                                   SceneEdits{.effects = documents.edited()});
   ++scene_version_;
   switches = {};
   applied_ = wanted_edits();

@@ -232,9 +232,13 @@ TEST_F(EffectEdits, WhatTheSceneCannotBearIsRefusedAndTheLastGoodStays) {
 TEST_F(EffectEdits, WhatIsNotEditedIsNotBroughtFromItsBirthAgain) {
   Workspace workspace = open();
   workspace.draw(kSize);
-  ASSERT_TRUE(workspace.documents.open("small").set("emitter[0].look.opacity", Curve(0.9f)).made);
+  PresetDocument& document = workspace.documents.open("small");
+  ASSERT_TRUE(document.set("emitter[0].look.opacity", Curve(0.9f)).made);
   workspace.draw(kSize);
-  auto demand = workspace.stage().demand();
+  EXPECT_EQ(workspace.stage().demand()[0].ticks_simulated, 0u) << "what it looks like moves nothing";
+  ASSERT_TRUE(document.set("emitter[0].motion.drag", 0.5f).made);
+  workspace.draw(kSize);
+  const auto demand = workspace.stage().demand();
   EXPECT_GT(demand[0].ticks_simulated, 0u);
   EXPECT_EQ(demand[1].ticks_simulated, 0u);
   EXPECT_TRUE(demand[1].why.starts_with("has ")) << demand[1].why;
