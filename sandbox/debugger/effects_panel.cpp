@@ -144,8 +144,9 @@ void instance_row(Interface& interface, size_t index, const InstanceDemand& dema
   const bool selected =
       selection.name == instance.effect && selection.instance == index && !selection.emitter;
   const auto flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_OpenOnDoubleClick |
-                     ImGuiTreeNodeFlags_SpanAvailWidth | (selected ? ImGuiTreeNodeFlags_Selected : 0) |
-                     (call ? 0 : ImGuiTreeNodeFlags_Leaf);
+                     ImGuiTreeNodeFlags_SpanAvailWidth |
+                     (stage.scene().instances.size() <= kFew ? ImGuiTreeNodeFlags_DefaultOpen : 0) |
+                     (selected ? ImGuiTreeNodeFlags_Selected : 0) | (call ? 0 : ImGuiTreeNodeFlags_Leaf);
   const bool open = ImGui::TreeNodeEx("instance", flags, "%s", instance.name.c_str());
   name_widget(instance.name);
   if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) select(selection, instance, index, {});
