@@ -172,7 +172,7 @@ TEST_F(CompareTest, WritesOneCsvLinePerFrame) {
   const json all = results();
   for (const json& frame : all["frames"]) {
     ASSERT_TRUE(std::getline(csv, line));
-    EXPECT_TRUE(line.starts_with("street,400,96,54," + frame["method"].get<std::string>() + ",")) << line;
+    EXPECT_TRUE(line.starts_with("street,400,,96,54," + frame["method"].get<std::string>() + ",")) << line;
     EXPECT_EQ(fields(line), columns) << line;
   }
   EXPECT_FALSE(std::getline(csv, line)) << line;

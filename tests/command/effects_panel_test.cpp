@@ -104,6 +104,9 @@ class EffectsPanel : public ProgramTest {
     act("mousedown 1");
     act("mouseup 1");
   }
+  bool is_there(const std::string& widget) const {
+    return read("places").find(" " + widget + "\n") != std::string::npos;
+  }
   std::string effect() const { return read("presets/effects/small.toml"); }
   Outcome close() {
     kill(window_, SIGTERM);
@@ -122,8 +125,12 @@ std::string with(std::string_view text, std::string_view old, std::string_view b
 }
 
 TEST_F(EffectsPanel, ADraggedNumberIsSavedAndUndone) {
-  click("it / puffs");
   const std::string radius = "emitter[0].shape.radius_m";
+  // Until its first picture is drawn the window may miss a click.
+  for (int i = 0; i < 10 && !is_there(radius); ++i) {
+    click("it / puffs");
+    until([&] { return is_there(radius); }, 1);
+  }
   move_to(radius);
   act("mousedown 1");
   for (int i = 1; i <= 4; ++i) move_to(radius, 10 * i);
