@@ -83,7 +83,7 @@ void quality(Interface& interface) {
                    workspace.frame_ms() > 0 ? 1000 / workspace.frame_ms() : 0,
                    workspace.device().info().name));
   ImGui::SameLine();
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 5 * ImGui::GetFontSize());
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 6 * ImGui::GetFontSize());
   if (ImGui::SmallButton("keys (F1)")) interface.help = !interface.help;
 }
 
