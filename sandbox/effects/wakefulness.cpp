@@ -39,9 +39,19 @@ void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t ti
     CallState& instance = instances.calls[i];
     if (instance.call.effect->off_screen != OffScreen::kPause) continue;
     if (before && *before > tick) forget_after(instance, tick);
-    for (uint32_t t = std::max(before.value_or(0), instance.call.tick) + 1; t <= tick; ++t)
-      if (!is_seen(instances, i, t < tick && script ? script(t) : views))
-        instance.clock.stand_still(t, t + 1);
+    const uint32_t first = std::max(before.value_or(0), instance.call.tick) + 1;
+    if (first > tick) continue;
+    const auto unless_seen = [&](uint32_t from, uint32_t end, const Views& by) {
+      if (from < end && !is_seen(instances, i, by)) instance.clock.stand_still(from, end);
+    };
+    if (!script.views) {
+      unless_seen(first, tick + 1, views);
+      continue;
+    }
+    const uint32_t still = std::clamp(script.still_from, first, tick);
+    for (uint32_t t = first; t < still; ++t) unless_seen(t, t + 1, script.views(t));
+    unless_seen(still, tick, script.views(still));
+    unless_seen(tick, tick + 1, views);
   }
 }
 

@@ -15,8 +15,11 @@ namespace plume {
 /// All cameras that look at a tick; nothing: everything is seen.
 using Views = std::optional<std::vector<ViewVolume>>;
 inline const Views kEverything{};
-/// Who looks at a tick that is passed over.
-using Script = std::function<Views(uint32_t tick)>;
+/// Who looks at the ticks that are passed over; nobody moves from `still_from` on.
+struct Script {
+  std::function<Views(uint32_t tick)> views;
+  uint32_t still_from = UINT32_MAX;
+};
 
 /// Time passes from tick `before` (nothing: from the beginning) to `tick`. It stands still for what pauses
 /// off screen where nobody saw it: by the script, or by `views` where there is none. Going back forgets what

@@ -160,9 +160,12 @@ std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::opt
       camera ? std::nullopt : std::optional(camera_at(scene_.camera, std::max(tick, 1u) - 1));
   view_.mapped<shared::ViewData>()[0] =
       make_view(scene_, camera.value_or(camera_at(scene_.camera, tick)), size, tick, previous);
-  simulation_->watch_by([this, size](uint32_t t) {
-    return std::vector{view_volume(make_view(scene_, camera_at(scene_.camera, t), size, t, {}))};
-  });
+  simulation_->watch_by({.views =
+                             [this, size](uint32_t t) {
+                               return std::vector{
+                                   view_volume(make_view(scene_, camera_at(scene_.camera, t), size, t, {}))};
+                             },
+                         .still_from = scene_.camera.back().tick});
   auto times = simulation_->go_to(tick, std::vector{view_volume(view_.mapped<shared::ViewData>()[0])});
   lighting_->fit(cards_by_emitter(simulation_->instances()), simulation_->cards());
   fit_cards(uint32_t(scalar_panes_.size() + rgb_panes_.size()) + simulation_->cards());

@@ -130,10 +130,30 @@ TEST_F(DemandTest, WhatPausesOffScreenGoesOnWhereItWas) {
   simulation.go_to(60, at_nothing());
   EXPECT_EQ("out of view, stopped at its tick 30", simulation.demand()[0].why);
   // Nobody looked while a jump passed over 100 ticks but the script's camera, which saw every other ten.
-  simulation.watch_by([&](uint32_t tick) { return tick / 10 % 2 ? at_call(0) : at_nothing(); });
+  simulation.watch_by({.views = [&](uint32_t tick) { return tick / 10 % 2 ? at_call(0) : at_nothing(); }});
   simulation.go_to(160, at_call(0));
   always.seek(30 + 50 + 1);
   EXPECT_EQ(always.state_hash(), simulation.state_hash());
+}
+
+TEST_F(DemandTest, AJumpPastTheScriptsLastMoveLooksAtItNoMore) {
+  Effect effect = effect_of({puffs("puffs")});
+  Simulation always(device, pipelines, calls(effect, 1), 1, {});
+  effect.off_screen = OffScreen::kPause;
+  for (const bool seen_last : {false, true}) {
+    Simulation simulation(device, pipelines, calls(effect, 1), 1, {});
+    uint32_t looks = 0;
+    const auto views = [&](uint32_t tick) {
+      ++looks;
+      return (tick < 20) == seen_last ? at_nothing() : at_call(0);
+    };
+    simulation.watch_by({.views = views, .still_from = 20});
+    simulation.go_to(0, at_call(0));
+    simulation.go_to(100, at_call(0));
+    EXPECT_EQ(20u, looks);
+    always.seek(seen_last ? 100 - 19 : 19 + 1);
+    EXPECT_EQ(always.state_hash(), simulation.state_hash()) << "seen at last: " << seen_last;
+  }
 }
 
 TEST_F(DemandTest, AFrozenInstanceStandsStillAndCostsNoDispatch) {
