@@ -1,38 +1,37 @@
 #include "renderer/radix_sort.h"
 
-#include "shaders/sort/radix.h"
+#include <cstddef>
 
 namespace plume {
-uint32_t radix_tiles(uint32_t pairs) {
-  return gpu::groups(pairs, shared::kRadixTile);
-}
 
-uint64_t radix_counts_bytes(uint32_t pairs) {
-  return std::max<uint64_t>(4, uint64_t(radix_tiles(pairs)) * shared::kRadixDigits * 4);
+uint64_t radix_counts_bytes(uint32_t most_pairs) {
+  return std::max<uint64_t>(4, uint64_t(shared::workload_of(most_pairs).tiles.x) * shared::kRadixDigits * 4);
 }
 
 void radix_round(gpu::Pass& pass, const gpu::Buffer& from, const gpu::Buffer& to, const gpu::Buffer& counts,
-                 uint32_t count, uint32_t shift) {
-  const uint32_t tiles = radix_tiles(count);
-  const shared::RadixPush push{.count = count, .shift = shift, .tiles = tiles};
-  pass.dispatch(pass.pipelines().compute("sort/count.comp"), {{"Source", &from}, {"Counts", &counts}}, push,
-                {tiles, 1, 1});
+                 const gpu::Buffer& work, uint32_t shift) {
+  const gpu::IndirectGroups each_tile{&work, offsetof(shared::Workload, tiles)};
+  const gpu::Binding how_many{"Work", &work};
+  pass.dispatch(pass.pipelines().compute("sort/count.comp"),
+                {{"Source", &from}, {"Counts", &counts}, how_many}, shift, each_tile);
   pass.barrier();
-  pass.dispatch(pass.pipelines().compute("sort/scan.comp"), {{"Counts", &counts}}, push, {1, 1, 1});
+  pass.dispatch(pass.pipelines().compute("sort/scan.comp"), {{"Counts", &counts}, how_many}, 0u, {1, 1, 1});
   pass.barrier();
   pass.dispatch(pass.pipelines().compute("sort/scatter.comp"),
-                {{"Source", &from}, {"Counts", &counts}, {"Destination", &to}}, push, {tiles, 1, 1});
+                {{"Source", &from}, {"Counts", &counts}, {"Destination", &to}, how_many}, shift, each_tile);
   pass.barrier();
 }
 
 void radix_sort(gpu::Pass& pass, const gpu::Buffer& pairs, const gpu::Buffer& scratch,
-                const gpu::Buffer& counts, uint32_t count) {
-  if (count == 0) return;
-  const gpu::Buffer *from = &pairs, *to = &scratch;
-  for (uint32_t shift = 0; shift < 32; shift += 4) {  // an even number of rounds: the result ends in `pairs`
-    radix_round(pass, *from, *to, counts, count, shift);
-    std::swap(from, to);
+                const gpu::Buffer& counts, const gpu::Buffer& work, uint32_t bits) {
+  for (uint32_t shift = 0; shift < bits; shift += 8) {  // rounds in twos: the result ends in `pairs`
+    radix_round(pass, pairs, scratch, counts, work, shift);
+    radix_round(pass, scratch, pairs, counts, work, shift + 4);
   }
+}
+
+gpu::IndirectGroups each_item(const gpu::Buffer& work) {
+  return {&work, offsetof(shared::Workload, groups)};
 }
 
 }  // namespace plume

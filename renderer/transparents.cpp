@@ -2,11 +2,12 @@
 
 #include <numeric>
 
+#include "renderer/radix_sort.h"
+
 namespace plume {
 namespace {
 struct CardPush {
-  uint32_t order_first;
-  int32_t order_step;
+  uint32_t backwards;
   glm::vec2 covered;
 };
 }  // namespace
@@ -25,10 +26,9 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
   bindings.insert(bindings.end(), {{"View", view},
                                    {"Cards", cards},
                                    {"Order", style.order ? style.order : order},
+                                   {"Work", work},
                                    {"puffs", puffs},
                                    {"opaque_depth", style.opaque_depth}});
-  const uint32_t begin = style.source ? first(*style.source) : 0;
-  const uint32_t number_drawn = style.source ? number(*style.source) : count;
   pass.draw({.vertex = style.vertex,
              .fragment = style.fragment,
              .targets = style.targets,
@@ -38,15 +38,21 @@ void Transparents::draw(gpu::Pass& pass, const Style& style) const {
              .pixel = style.pixel,
              .constants = style.constants,
              .bindings = std::move(bindings),
-             .vertices = 4,
-             .instances = number_drawn,
              .strip = true,
-             .indirect = style.indirect,
-             .indirect_index = style.indirect_index,
+             .indirect = style.indirect ? style.indirect : draws,
+             .indirect_index = style.indirect ? style.indirect_index
+                               : style.source ? 1 + uint32_t(*style.source)
+                                              : 0,
              .count_fragments = style.count_fragments},
-            CardPush{.order_first = style.backwards && number_drawn > 0 ? begin + number_drawn - 1 : begin,
-                     .order_step = style.backwards ? -1 : 1,
-                     .covered = style.covered});
+            CardPush{.backwards = style.backwards ? 1u : 0u, .covered = style.covered});
+}
+
+gpu::Bindings Transparents::seen() const {
+  return {{"View", view}, {"Cards", cards}, {"Order", order}, {"Work", work}};
+}
+
+gpu::IndirectGroups Transparents::each_seen() const {
+  return each_item(*work);
 }
 
 }  // namespace plume

@@ -73,6 +73,12 @@ void Pass::dispatch_raw(const Pipeline& pipeline, const Bindings& bindings, std:
   commands_.dispatch(groups[0], groups[1], groups[2]);
 }
 
+void Pass::dispatch_raw(const Pipeline& pipeline, const Bindings& bindings, std::span<const std::byte> push,
+                        const IndirectGroups& groups) {
+  bind(pipeline, bindings, push);
+  commands_.dispatchIndirect(groups.buffer->vk(), groups.offset);
+}
+
 void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
   GraphicsDesc desc{.vertex = draw.vertex,
                     .fragment = draw.fragment,

@@ -47,11 +47,24 @@ struct Draw {
   bool count_fragments = false;      ///< those that pass the depth test, into PassTime::fragments
 };
 
+/// A vk::DispatchIndirectCommand in a buffer.
+struct IndirectGroups {
+  const Buffer* buffer;
+  uint64_t offset;  ///< bytes
+};
+
 class Pass {
  public:
   template <class Push>
   void dispatch(const Pipeline& pipeline, const Bindings& bindings, const Push& push,
                 std::array<uint32_t, 3> groups) {
+    static_assert(sizeof(Push) <= 128 && sizeof(Push) % 4 == 0);
+    dispatch_raw(pipeline, bindings, std::as_bytes(std::span(&push, 1)), groups);
+  }
+  /// As many groups as the device has written there.
+  template <class Push>
+  void dispatch(const Pipeline& pipeline, const Bindings& bindings, const Push& push,
+                const IndirectGroups& groups) {
     static_assert(sizeof(Push) <= 128 && sizeof(Push) % 4 == 0);
     dispatch_raw(pipeline, bindings, std::as_bytes(std::span(&push, 1)), groups);
   }
@@ -86,6 +99,7 @@ class Pass {
       : commands_(commands), pipelines_(pipelines), counters_(counters), counters_used_(counters_used) {}
   void dispatch_raw(const Pipeline&, const Bindings&, std::span<const std::byte> push,
                     std::array<uint32_t, 3>);
+  void dispatch_raw(const Pipeline&, const Bindings&, std::span<const std::byte> push, const IndirectGroups&);
   void draw_raw(const Draw&, std::span<const std::byte> push);
   void update_raw(const Buffer& buffer, std::span<const std::byte> data, uint64_t offset);
   void bind(const Pipeline&, const Bindings&, std::span<const std::byte> push);

@@ -14,8 +14,6 @@
 // coverage is (here: a layer like any other, of transmittance 1). It stores 8 bits a channel, here 32.
 //
 // Limits: beyond k layers what lies in the last node is blended in the order of the draw.
-#include <numeric>
-
 #include "renderer/methods/methods.h"
 #include "renderer/methods/parts/card_sort.h"
 #include "renderer/methods/parts/pixel_nodes.h"
@@ -64,29 +62,22 @@ class Mlab final : public Method {
     Needs needs;
     pixel_nodes::add_needs(needs, size, uint32_t(nodes_), kKind);
     if (sorts()) card_sort::add_needs(needs, transparents);
-    if (order_ == kCards)
-      needs.buffers.push_back(
-          {.name = "order", .bytes = std::max(transparents.count, 1u) * sizeof(uint32_t), .clear = {}});
     return needs;
   }
 
   void record(const Picture& picture) override {
     const Resources& resources = picture.resources;
-    if (sorts()) card_sort::record(picture);
+    if (sorts())
+      card_sort::record(picture, order_ == kCards ? card_sort::Key::kCard : card_sort::Key::kDepth);
     picture.frame.pass("insert", [&](gpu::Pass& pass) {
       pixel_nodes::reset(pass, resources, kKind);
-      if (order_ == kCards) {
-        std::vector<uint32_t> as_they_are(picture.transparents.count);
-        std::iota(as_they_are.begin(), as_they_are.end(), 0u);
-        pass.update(resources.buffer("order"), std::span<const uint32_t>(as_they_are));
-      }
       pass.barrier();
       pixel_nodes::draw(pass, picture, uint32_t(nodes_),
                         {.fragment = pixel_nodes::insert_shader("methods/mlab", lock()),
                          .targets = {},
                          .constants = {},
                          .bindings = {},
-                         .order = order_ == kSubmission ? nullptr : &resources.buffer("order"),
+                         .order = sorts() ? &resources.buffer("order") : nullptr,
                          .backwards = order_ == kBackToFront});
     });
     picture.frame.pass("resolve", [&](gpu::Pass& pass) {
@@ -110,7 +101,7 @@ class Mlab final : public Method {
   }
 
  private:
-  bool sorts() const { return order_ == kFrontToBack || order_ == kBackToFront; }
+  bool sorts() const { return order_ != kSubmission; }
   pixel_nodes::Lock lock() const { return pixel_nodes::Lock(lock_); }
 
   int nodes_ = 8, order_ = kCards, lock_ = 0;

@@ -171,11 +171,11 @@ class Moments final : public Method {
   void record_depth_warp(const Picture& picture) const {
     const Transparents& transparents = picture.transparents;
     const gpu::Binding bounds{"Ends", &picture.resources.buffer("bounds")}, view{"View", transparents.view};
+    gpu::Bindings of_cards = transparents.seen();
+    of_cards.push_back(bounds);
     picture.frame.pass("depth_warp", [&](gpu::Pass& pass) {
-      if (transparents.count > 0)
-        pass.dispatch(pass.pipelines().compute("methods/moments/bounds.comp"),
-                      {view, {"Cards", transparents.cards}, bounds}, transparents.count,
-                      {gpu::groups(transparents.count, 256), 1, 1});
+      pass.dispatch(pass.pipelines().compute("methods/moments/bounds.comp"), of_cards, 0u,
+                    transparents.each_seen());
       pass.barrier();
       pass.dispatch(pass.pipelines().compute("methods/moments/warp.comp", {uint32_t(bounds_)}),
                     {view, bounds, {"Warp", &picture.resources.buffer("warp")}}, 0u, {1, 1, 1});

@@ -130,6 +130,7 @@ class Peel final : public Method {
   gpu::Bindings bindings(const Picture& picture) const {
     const Resources& resources = picture.resources;
     return {{"View", picture.transparents.view},
+            {"Work", picture.transparents.work},
             {"Front", &resources.buffer("front")},
             {"Back", &resources.buffer(both_ends_ ? "back" : "front")},
             {"Depths", &resources.buffer("depths")},
@@ -175,7 +176,7 @@ class Peel final : public Method {
       uint32_t pixels, most;
     };
     struct Draws {
-      uint32_t cards, most, ends, recorded;
+      uint32_t most, ends, recorded;
     };
     const uint32_t pixels = picture.size.x * picture.size.y;
     pass.barrier();
@@ -183,7 +184,7 @@ class Peel final : public Method {
                   Complexity{pixels, most()}, {gpu::groups(pixels, 64 * 64), 1, 1});
     pass.barrier();
     pass.dispatch(pass.pipelines().compute("methods/peel/draws.comp"), bindings(picture),
-                  Draws{picture.transparents.count, most(), ends(), recorded_},
+                  Draws{most(), ends(), recorded_},
                   {gpu::groups(recorded_, 64), 1, 1});
   }
 

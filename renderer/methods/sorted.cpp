@@ -18,7 +18,7 @@ namespace {
 enum class Order { kArtist, kCpu, kGpuEmitter, kGpuAll };
 constexpr std::array<std::string_view, 4> kOrderNames = {"artist", "cpu", "gpu_emitter", "gpu_all"};
 
-/// Where each group stands when they are drawn as `order` says; by their first cards.
+/// The rank of each group, front to back, when they are drawn as `order` says; by their first cards.
 std::vector<shared::OrderedGroup> ordered_groups(const Transparents& transparents, Order order) {
   std::vector<CardGroup> groups = transparents.groups;
   if (groups.empty()) groups = {{.first = 0, .count = transparents.count, .depth = 0, .draw_order = 0}};
@@ -27,11 +27,8 @@ std::vector<shared::OrderedGroup> ordered_groups(const Transparents& transparent
   else
     std::ranges::stable_sort(groups, std::ranges::greater(), &CardGroup::depth);
   std::vector<shared::OrderedGroup> ordered;
-  uint32_t place = 0, rank = uint32_t(groups.size());
-  for (const CardGroup& group : groups) {
-    ordered.push_back({.first = group.first, .place = place, .rank = --rank});
-    place += group.count;
-  }
+  uint32_t rank = uint32_t(groups.size());
+  for (const CardGroup& group : groups) ordered.push_back({.first = group.first, .rank = --rank});
   std::ranges::sort(ordered, {}, &shared::OrderedGroup::first);
   return ordered;
 }
@@ -69,9 +66,7 @@ class Sorted final : public Method {
 
   void record(const Picture& picture) override {
     const Transparents& transparents = picture.transparents;
-    picture.frame.pass("sort", [&](gpu::Pass& pass) {
-      if (transparents.count > 0) record_order(pass, picture);
-    });
+    picture.frame.pass("sort", [&](gpu::Pass& pass) { record_order(pass, picture); });
     const auto draw = [&](const char* pass_name, const gpu::Image& target, Transparents::Style style) {
       style.targets = {{.image = &target, .blend = gpu::Blend::kOverDual, .clear = {}}};
       style.depth_test = style.opaque_depth = &picture.opaque_depth;
@@ -113,33 +108,23 @@ class Sorted final : public Method {
   void record_order(gpu::Pass& pass, const Picture& picture) {
     const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
     const Transparents& transparents = picture.transparents;
-    const uint32_t count = transparents.count;
-    const std::array<uint32_t, 3> all{gpu::groups(count, 256), 1, 1};
     const auto order = Order(order_);
     groups_ = std::max<size_t>(transparents.groups.size(), 1);
-    if (order != Order::kGpuAll) {
-      pass.update(*buffer("groups"),
-                  std::span<const shared::OrderedGroup>(ordered_groups(transparents, order)));
-      pass.barrier();
-    }
-    if (order == Order::kArtist || order == Order::kCpu) {
-      pass.dispatch(pass.pipelines().compute("methods/sorted/group_order.comp"),
-                    {{"Groups", buffer("groups")}, {"Order", buffer("order")}},
-                    glm::uvec2(count, uint32_t(groups_)), all);
-      return;
-    }
     if (order == Order::kGpuAll) {
-      card_sort::record_by_depth(pass, picture);
+      card_sort::record_order(pass, picture);
       return;
     }
-    pass.dispatch(pass.pipelines().compute("methods/sorted/group_keys.comp"),
-                  {{"View", transparents.view},
-                   {"Cards", transparents.cards},
-                   {"Pairs", buffer("pairs")},
-                   {"Groups", buffer("groups")}},
-                  glm::uvec3(count, uint32_t(groups_), uint32_t(std::bit_width(groups_ - 1))), all);
+    pass.update(*buffer("groups"),
+                std::span<const shared::OrderedGroup>(ordered_groups(transparents, order)));
     pass.barrier();
-    card_sort::record_pairs(pass, picture);
+    const bool by_depth = order == Order::kGpuEmitter;
+    const auto rank_bits = uint32_t(std::bit_width(groups_ - 1));
+    gpu::Bindings bindings = transparents.seen();
+    bindings.insert(bindings.end(), {{"Pairs", buffer("pairs")}, {"Groups", buffer("groups")}});
+    pass.dispatch(pass.pipelines().compute("methods/sorted/group_keys.comp", {by_depth ? 1u : 0u}), bindings,
+                  glm::uvec2(uint32_t(groups_), rank_bits), transparents.each_seen());
+    pass.barrier();
+    card_sort::record_pairs(pass, picture, by_depth ? 32 : std::max(rank_bits, 1u));
   }
 
   int order_ = int(Order::kGpuAll);

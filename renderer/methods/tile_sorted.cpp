@@ -19,7 +19,6 @@
 #include "renderer/probe.h"
 #include "renderer/radix_sort.h"
 #include "shaders/shared/draw_command.h"
-#include "shaders/sort/radix.h"
 
 namespace plume {
 namespace {
@@ -102,6 +101,7 @@ class TileSorted final : public Method {
                     {.name = "tile_cards", .bytes = count * sizeof(shared::TileCard), .clear = {}},
                     {.name = "masks", .bytes = grid.mask_bytes(), .clear = 0},
                     {.name = "counts", .bytes = uint64_t(grid.count_words) * 4, .clear = {}},
+                    {.name = "scan_work", .bytes = sizeof(shared::Workload), .clear = {}},
                     {.name = "entries", .bytes = uint64_t(capacity_) * 4, .clear = {}},
                     {.name = "squares",
                      .bytes = sizeof(shared::WalkSquares) + uint64_t(squares.x) * squares.y * 2 * 4,
@@ -117,7 +117,6 @@ class TileSorted final : public Method {
     const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
     const Transparents& transparents = picture.transparents;
     const Grid grid = grid_of(picture.size, transparents);
-    const uint32_t count = grid.cards;
 
     picture.frame.pass("sort", [&](gpu::Pass& pass) {
       pass.update(*buffer("totals"), TileTotals{.cards = 0,
@@ -130,20 +129,18 @@ class TileSorted final : public Method {
                   shared::DrawCommand{.vertices = 4, .instances = 0, .first_vertex = 0, .first_instance = 0});
       fragment_list::reset(pass, picture.resources, tilted_capacity_);
       pass.barrier();
-      if (count == 0) return;
-      pass.dispatch(pass.pipelines().compute("methods/tile_sorted/keys.comp"),
-                    {{"View", transparents.view},
-                     {"Cards", transparents.cards},
-                     {"Pairs", buffer("pairs")},
-                     {"Totals", buffer("totals")},
-                     {"TiltedDraw", buffer("tilted_draw")},
-                     {"TiltedOrder", buffer("tilted_order")}},
-                    count, {gpu::groups(count, 256), 1, 1});
+      gpu::Bindings bindings = transparents.seen();
+      bindings.insert(bindings.end(), {{"Pairs", buffer("pairs")},
+                                       {"Totals", buffer("totals")},
+                                       {"TiltedDraw", buffer("tilted_draw")},
+                                       {"TiltedOrder", buffer("tilted_order")}});
+      pass.dispatch(pass.pipelines().compute("methods/tile_sorted/keys.comp"), bindings, 0u,
+                    transparents.each_seen());
       pass.barrier();
-      radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("radix_counts"), count);
+      radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("radix_counts"), *transparents.work);
     });
     picture.frame.pass("tiles", [&](gpu::Pass& pass) {
-      if (count > 0) record_placing(pass, picture, grid);
+      record_placing(pass, picture, grid);
       record_lists(pass, picture, grid);
     });
     if (tilted_)
@@ -205,22 +202,23 @@ class TileSorted final : public Method {
   static void record_placing(gpu::Pass& pass, const Picture& picture, const Grid& grid) {
     const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
     const Transparents& transparents = picture.transparents;
-    const uint32_t spans = bound_spans(grid.cards);
+    const gpu::Binding work{"Work", transparents.work}, bounds{"Bounds", buffer("bounds")};
     pass.dispatch(pass.pipelines().compute("methods/tile_sorted/bounds.comp"),
-                  {{"Cards", transparents.cards}, {"Pairs", buffer("pairs")}, {"Bounds", buffer("bounds")}},
-                  grid.cards, {gpu::groups(spans, 64), 1, 1});
+                  {{"Cards", transparents.cards}, {"Pairs", buffer("pairs")}, bounds, work}, 0u,
+                  {gpu::groups(bound_spans(grid.cards), 64), 1, 1});
     pass.barrier();
-    pass.dispatch(pass.pipelines().compute("methods/tile_sorted/bounds_behind.comp"),
-                  {{"Bounds", buffer("bounds")}}, spans, {1, 1, 1});
+    pass.dispatch(pass.pipelines().compute("methods/tile_sorted/bounds_behind.comp"), {bounds, work}, 0u,
+                  {1, 1, 1});
     pass.barrier();
     pass.dispatch(pass.pipelines().compute("methods/tile_sorted/place.comp", {grid.tile}),
                   {{"View", transparents.view},
                    {"Cards", transparents.cards},
                    {"Pairs", buffer("pairs")},
-                   {"Bounds", buffer("bounds")},
+                   bounds,
+                   work,
                    {"TileCards", buffer("tile_cards")},
                    {"Masks", buffer("masks")}},
-                  TileGrid(grid), {gpu::groups(grid.cards, 64), 1, 1});
+                  TileGrid(grid), transparents.each_seen());
     pass.barrier();
   }
 
@@ -231,13 +229,16 @@ class TileSorted final : public Method {
       TileGrid grid;
       uint32_t padded;
     };
+    pass.update(*buffer("scan_work"),
+                shared::Workload{.count = 0,
+                                 .groups = {0, 1, 1},
+                                 .tiles = {grid.count_words / shared::kRadixDigits, 1, 1}});
     pass.dispatch(pass.pipelines().compute("methods/tile_sorted/count.comp"),
                   {{"Masks", buffer("masks")}, {"Counts", buffer("counts")}},
                   CountPush{.grid = grid, .padded = grid.count_words}, many_groups(grid.count_words));
     pass.barrier();
-    pass.dispatch(pass.pipelines().compute("sort/scan.comp"), {{"Counts", buffer("counts")}},
-                  shared::RadixPush{.count = 0, .shift = 0, .tiles = grid.count_words / shared::kRadixDigits},
-                  {1, 1, 1});
+    pass.dispatch(pass.pipelines().compute("sort/scan.comp"),
+                  {{"Counts", buffer("counts")}, {"Work", buffer("scan_work")}}, 0u, {1, 1, 1});
     pass.barrier();
     pass.dispatch(pass.pipelines().compute("methods/tile_sorted/fill.comp"),
                   {{"Totals", buffer("totals")}, {"Counts", buffer("counts")}, {"Masks", buffer("masks")}},

@@ -27,7 +27,8 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
       puffs_(make_puff_textures(device, pipelines, kTextureSeed)),
       opaque_(device, scene_.solids),
       view_(device,
-            {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}) {
+            {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}),
+      seen_(device) {
   call_effects(effects_with(edits), edits);
   for (const Pane& pane : scene_.panes)
     (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
@@ -120,11 +121,12 @@ void Stage::fit_cards(uint32_t count) {
         device_, {.owner = "scene", .label = "cards", .bytes = uint64_t(capacity_) * sizeof(shared::Card)});
     in_order_ = false;
   }
-  transparents_ = {.cards = &cards_, .order = &order_, .puffs = &puffs_, .view = &view_, .count = count};
+  transparents_ = {.cards = &cards_, .puffs = &puffs_, .view = &view_, .count = count};
   // As they lie in the buffer: panes, the simulation's three sources, panes. Panes emit no haze.
   const auto [scalar, haze, rgb] = cards_by_source(simulation_->instances());
   transparents_.counts = {uint32_t(scalar_panes_.size()) + scalar, haze, rgb + uint32_t(rgb_panes_.size())};
   transparents_.groups = card_groups();
+  seen_.fit(transparents_);
 }
 
 std::vector<CardGroup> Stage::card_groups() const {
@@ -150,7 +152,7 @@ void Stage::set_draw_order(const std::vector<uint32_t>& order) {
   for (const Source source : {Source::kScalar, Source::kHaze, Source::kRgb})
     for (const uint32_t card : order)
       if (card - transparents_.first(source) < transparents_.number(source)) by_source.push_back(card);
-  order_ = gpu::make_buffer(device_, "scene", "order", by_source);
+  submission_ = gpu::make_buffer(device_, "scene", "submission", by_source);
   in_order_ = false;
 }
 
@@ -172,7 +174,7 @@ std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::opt
   if (!in_order_) {
     std::vector<uint32_t> identity(capacity_);
     std::iota(identity.begin(), identity.end(), 0u);
-    order_ = gpu::make_buffer(device_, "scene", "order", identity);
+    submission_ = gpu::make_buffer(device_, "scene", "submission", identity);
     in_order_ = true;
   }
   return times;
@@ -190,6 +192,7 @@ Prelude Stage::prelude() const {
                                             lighting_->bodies());
                 });
                 lighting_->record(frame, view_, cards_, uint32_t(scalar_panes_.size()));
+                seen_.record(frame, transparents_, submission_);
                 opaque_.record_depth(frame, targets, view_);
                 record_debris_depth(frame, targets, simulation_->pieces(), view_);
               },

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "renderer/frame.h"
+#include "renderer/seen_cards.h"
 #include "sandbox/effects/lighting.h"
 #include "sandbox/presets/library.h"
 #include "sandbox/scene/opaque.h"
@@ -70,9 +71,11 @@ class Stage {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Lighting> lighting_;
   std::vector<shared::Card> scalar_panes_, rgb_panes_;
-  gpu::Buffer view_, cards_, order_;
+  gpu::Buffer view_, cards_;
+  gpu::Buffer submission_;  ///< a permutation of the cards
+  SeenCards seen_;
   uint32_t capacity_ = 0;
-  bool in_order_ = false;  ///< order_ is the identity over the whole capacity
+  bool in_order_ = false;  ///< `submission_` is the identity over the whole capacity
   Transparents transparents_;
 };
 

@@ -13,5 +13,8 @@ struct DrawCommand {
   uint first_instance;
 };
 
+// Of cards that show nothing; before it those of plume::Source.
+const uint kUnseenSource = 3u;
+
 PLUME_SHARED_END
 #endif

@@ -1,12 +1,13 @@
 // Radix sort, step 1 of a round: how often each digit occurs in each tile. counts[digit * tiles + tile].
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "sort/radix.h"
+#include "shared/workload.h"
 
 layout(local_size_x = kRadixThreads) in;
 layout(scalar, binding = 0) readonly buffer Source { uvec2 source[]; };
 layout(scalar, binding = 1) writeonly buffer Counts { uint counts[]; };
-layout(push_constant) uniform Push { RadixPush push; };
+layout(scalar, binding = 7) readonly buffer Work { Workload work; };
+layout(push_constant) uniform Push { uint shift; };   // of the digit
 
 shared uint histogram[kRadixDigits];
 
@@ -16,8 +17,8 @@ void main() {
   barrier();
   for (uint i = 0u; i < kRadixPerThread; ++i) {
     const uint at = tile * kRadixTile + i * kRadixThreads + thread;
-    if (at < push.count) atomicAdd(histogram[(source[at].x >> push.shift) & (kRadixDigits - 1u)], 1u);
+    if (at < work.count) atomicAdd(histogram[(source[at].x >> shift) & (kRadixDigits - 1u)], 1u);
   }
   barrier();
-  if (thread < kRadixDigits) counts[thread * push.tiles + tile] = histogram[thread];
+  if (thread < kRadixDigits) counts[thread * work.tiles.x + tile] = histogram[thread];
 }

@@ -13,11 +13,5 @@ const uint kRadixPerThread = 8u;  // consecutive pairs: keeps the sort stable
 const uint kRadixTile = kRadixThreads * kRadixPerThread;
 const uint kRadixDigits = 16u;
 
-struct RadixPush {
-  uint count;
-  uint shift;  // of the digit
-  uint tiles;
-};
-
 PLUME_SHARED_END
 #endif

@@ -2,13 +2,12 @@
 // has its last corner twice: the strip's second half is empty.
 #ifndef PLUME_SURFACE_CARD_GLSL
 #define PLUME_SURFACE_CARD_GLSL
-#include "shared/card.h"
 #include "shared/half.glsl"
 #include "shared/view.h"
+#include "surface/seen_cards.glsl"
 
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
 
 layout(location = 0) out vec3 v_uv_depth;
 layout(location = 1) flat out vec4 v_sunlit;         // rgb, a: layer blend
@@ -21,18 +20,15 @@ layout(location = 6) flat out uvec3 v_layers_id;     // two layers, card index
 #include "surface/card_varyings.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  uint order_first;
-  int order_step;   // -1: draw backwards
+  uint backwards;   // 1: the last of the order first
   vec2 covered;      // share of the target that the picture fills
 };
 
 const vec2 kCorners[4] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1));
 
-bool shows(Card card) { return card.optical_depth > 0.0 || card.emission != uvec2(0u); }
-bool bends(Card card) { return (card.motion.y >> 16) != 0u; }
 vec2 corner_of(Card card) { return kCorners[is_triangle(card) ? min(gl_VertexIndex, 2) : gl_VertexIndex]; }
 
-uint card_id() { return order[order_first + uint(int(gl_InstanceIndex) * order_step)]; }
+uint card_id() { return order[backwards != 0u ? work.count - 1u - gl_InstanceIndex : gl_InstanceIndex]; }
 
 void place_vertex(Card card, uint id, vec2 uv) {
   const vec3 world = card.center + card.axis_u * uv.x + card.axis_v * uv.y;

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "renderer/methods/avboit/plan.h"
+#include "renderer/seen_cards.h"
 #include "sandbox/scene/opaque.h"
 #include "sandbox/scene/view.h"
 #include "shaders/effects/puff.h"
@@ -179,10 +180,15 @@ class AvboitTest : public GpuTest {
     OpaqueScene opaque;
     gpu::Image puffs;
     gpu::Buffer view, cards, order;
+    SeenCards seen;
     Transparents transparents;
     Prelude prelude() const {
       return {
-          .geometry = [this](gpu::Frame& frame, const Targets& t) { opaque.record_depth(frame, t, view); },
+          .geometry =
+              [this](gpu::Frame& frame, const Targets& t) {
+                seen.record(frame, transparents, order);
+                opaque.record_depth(frame, t, view);
+              },
           .opaque = [this](gpu::Frame& frame, const Targets& t,
                            const gpu::Image& depth) { opaque.record_color(frame, t, depth, view); }};
     }
@@ -208,13 +214,14 @@ class AvboitTest : public GpuTest {
               .view = gpu::make_buffer(device, "test", "view", std::vector{view()}),
               .cards = gpu::make_buffer(device, "test", "cards", all),
               .order = gpu::make_buffer(device, "test", "order", places),
+              .seen = SeenCards(device),
               .transparents = {}});
     w->transparents = {.cards = &w->cards,
-                       .order = &w->order,
                        .puffs = &w->puffs,
                        .view = &w->view,
                        .count = count,
                        .counts = {uint32_t(scalar.size()), 0u, uint32_t(rgb.size())}};
+    w->seen.fit(w->transparents);
     gpu::Frame frame(device, pipelines);
     frame.pass("puffs", [&](gpu::Pass& pass) {
       pass.clear(w->puffs, {85.0f / 255, 128.0f / 255, 128.0f / 255, 1.0f});

@@ -4,6 +4,7 @@
 #include <glm/gtc/packing.hpp>
 #include <set>
 
+#include "renderer/seen_cards.h"
 #include "sandbox/scene/opaque.h"
 #include "sandbox/scene/view.h"
 #include "shaders/effects/puff.h"
@@ -91,19 +92,21 @@ class OutputsTest : public GpuTest {
                                     .layers = 1,
                                     .usage = vk::ImageUsageFlagBits::eSampled});
     const OpaqueScene opaque(device, scene.solids);
-    const Transparents transparents{
+    Transparents transparents{
         .cards = &card_buffer,
-        .order = &order_buffer,
         .puffs = &puffs,
         .view = &view,
         .count = uint32_t(cards.scalar.size() + cards.haze.size()),
         .counts = {uint32_t(cards.scalar.size()), uint32_t(cards.haze.size()), 0}};
+    SeenCards seen(device);
+    seen.fit(transparents);
     const Prelude prelude{
         .geometry =
             [&](gpu::Frame& frame, const Targets& targets) {
               frame.pass("puffs", [&](gpu::Pass& pass) {
                 pass.clear(puffs, {1 / 3.0f, 1, 0.5f, 1});  // density 1, slope (1, 0)
               });
+              seen.record(frame, transparents, order_buffer);
               opaque.record_depth(frame, targets, view);
             },
         .opaque = [&](gpu::Frame& frame, const Targets& targets,

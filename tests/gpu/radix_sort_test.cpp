@@ -15,14 +15,15 @@ struct Pair {
 
 class RadixSortTest : public GpuTest {
  protected:
-  std::vector<Pair> sort(const std::vector<Pair>& pairs) {
+  std::vector<Pair> sort(const std::vector<Pair>& pairs, uint32_t bits = 32) {
     const uint32_t count = uint32_t(pairs.size());
     const auto source = gpu::make_buffer(device, "test", "pairs", pairs);
     const gpu::Buffer scratch(device, {.owner = "test", .label = "scratch", .bytes = source.bytes()});
     const gpu::Buffer counts(device,
                              {.owner = "test", .label = "counts", .bytes = radix_counts_bytes(count)});
+    const auto work = gpu::make_buffer(device, "test", "work", std::vector{shared::workload_of(count)});
     gpu::Frame frame(device, pipelines);
-    frame.pass("sort", [&](gpu::Pass& pass) { radix_sort(pass, source, scratch, counts, count); });
+    frame.pass("sort", [&](gpu::Pass& pass) { radix_sort(pass, source, scratch, counts, work, bits); });
     frame.finish();
     auto sorted = gpu::read<Pair>(device, source);
     sorted.resize(count);

@@ -5,17 +5,18 @@ namespace plume::avboit {
 namespace {
 
 /// From (class, card) in the order of submission to an order by class and one indirect draw of each.
-void sort_into_draws(gpu::Pass& pass, const Picture& picture, uint32_t count, const char* order,
-                     const char* draws) {
+void sort_into_draws(gpu::Pass& pass, const Picture& picture, const char* order, const char* draws) {
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
+  const gpu::Buffer& work = *picture.transparents.work;
   pass.barrier();
-  radix_round(pass, *buffer("pairs"), *buffer("sorted_pairs"), *buffer("pair_counts"), count, 0);
+  radix_round(pass, *buffer("pairs"), *buffer("sorted_pairs"), *buffer("pair_counts"), work, 0);
   pass.dispatch(pass.pipelines().compute("methods/avboit/class_draws.comp"),
                 {{"Pairs", buffer("sorted_pairs")},
                  {"Order", buffer(order)},
                  {"Counts", buffer("pair_counts")},
-                 {"ClassDraws", buffer(draws)}},
-                glm::uvec2(count, radix_tiles(count)), {gpu::groups(count, 256), 1, 1});
+                 {"ClassDraws", buffer(draws)},
+                 {"Work", &work}},
+                0u, each_item(work));
 }
 
 }  // namespace
@@ -34,39 +35,33 @@ void add_classify_needs(Needs& needs, const Plan& plan) {
 }
 
 void record_sources(const Picture& picture, const Plan& plan) {
-  const uint32_t count = plan.volume.cards;
-  if (count == 0) return;
+  if (plan.volume.cards == 0) return;
   picture.frame.pass("sources", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/sources.comp"),
-                  {{"View", picture.transparents.view},
-                   {"Cards", picture.transparents.cards},
-                   {"Order", picture.transparents.order},
-                   {"VolumeBlock", &picture.resources.buffer("volume")},
-                   {"Pairs", &picture.resources.buffer("pairs")}},
-                  0u, {gpu::groups(count, 256), 1, 1});
-    sort_into_draws(pass, picture, count, "source_order", "source_draws");
+    gpu::Bindings bindings = picture.transparents.seen();
+    bindings.insert(bindings.end(), {{"VolumeBlock", &picture.resources.buffer("volume")},
+                                     {"Pairs", &picture.resources.buffer("pairs")}});
+    pass.dispatch(pass.pipelines().compute("methods/avboit/sources.comp"), bindings, 0u,
+                  picture.transparents.each_seen());
+    sort_into_draws(pass, picture, "source_order", "source_draws");
   });
 }
 
 void record_classify(const Picture& picture, const Plan& plan) {
-  const uint32_t count = plan.volume.cards;
-  if (count == 0) return;
+  if (plan.volume.cards == 0) return;
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   const bool cull = plan.settings.zero_depth != ZeroDepth::kOff;
   picture.frame.pass("classify", [&](gpu::Pass& pass) {
+    gpu::Bindings bindings = picture.transparents.seen();
+    bindings.insert(bindings.end(), {{"VolumeBlock", buffer("volume")},
+                                     {"WarpTable", buffer("warp")},
+                                     {"RgbStart", buffer("rgb_start")},
+                                     {"LayersStart", buffer("layers_start")},
+                                     {"ZeroDepths", buffer(cull ? "zero_depths" : "rgb_start")},
+                                     {"Pairs", buffer("pairs")}});
     pass.dispatch(
         pass.pipelines().compute("methods/avboit/classify.comp", {plan.rgb ? 1u : 0u, cull ? 1u : 0u}),
-        {{"View", picture.transparents.view},
-         {"Cards", picture.transparents.cards},
-         {"Order", picture.transparents.order},
-         {"VolumeBlock", buffer("volume")},
-         {"WarpTable", buffer("warp")},
-         {"RgbStart", buffer("rgb_start")},
-         {"LayersStart", buffer("layers_start")},
-         {"ZeroDepths", buffer(cull ? "zero_depths" : "rgb_start")},
-         {"Pairs", buffer("pairs")}},
-        plan.first_coloured, {gpu::groups(count, 256), 1, 1});
-    sort_into_draws(pass, picture, count, "class_order", "class_draws");
+        bindings, plan.first_coloured, picture.transparents.each_seen());
+    sort_into_draws(pass, picture, "class_order", "class_draws");
   });
 }
 

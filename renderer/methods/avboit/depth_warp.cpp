@@ -19,9 +19,10 @@ void record_depth_warp(const Picture& picture, const Plan& plan) {
     pass.update(picture.resources.buffer("volume"), plan.volume);
     if (!plan.settings.adaptive) return;
     pass.barrier();
-    pass.dispatch(pass.pipelines().compute("methods/avboit/coverage.comp"),
-                  {volume, coverage, {"View", transparents.view}, {"Cards", transparents.cards}}, 0u,
-                  {gpu::groups(transparents.count, 256), 1, 1});
+    gpu::Bindings bindings = transparents.seen();
+    bindings.insert(bindings.end(), {volume, coverage});
+    pass.dispatch(pass.pipelines().compute("methods/avboit/coverage.comp"), bindings, 0u,
+                  transparents.each_seen());
   });
   picture.frame.pass("adapt", [&](gpu::Pass& pass) {
     pass.dispatch(pass.pipelines().compute("methods/avboit/adapt.comp"),

@@ -12,14 +12,12 @@ void record_occupancy(const Picture& picture, const Plan& plan) {
   const Transparents& transparents = picture.transparents;
   const gpu::Binding volume{"VolumeBlock", buffer("volume")}, occupancy{"Occupancy", buffer("occupancy")};
   picture.frame.pass("occupancy", [&](gpu::Pass& pass) {
-    pass.dispatch(pass.pipelines().compute("methods/avboit/occupancy.comp"),
-                  {volume,
-                   occupancy,
-                   {"LayersStart", buffer("layers_start")},
-                   {"WarpTable", buffer("warp")},
-                   {"View", transparents.view},
-                   {"Cards", transparents.cards}},
-                  0u, {gpu::groups(transparents.count, 256), 1, 1});
+    gpu::Bindings bindings = transparents.seen();
+    bindings.insert(
+        bindings.end(),
+        {volume, occupancy, {"LayersStart", buffer("layers_start")}, {"WarpTable", buffer("warp")}});
+    pass.dispatch(pass.pipelines().compute("methods/avboit/occupancy.comp"), bindings, 0u,
+                  transparents.each_seen());
   });
   picture.frame.pass("clear_extinction", [&](gpu::Pass& pass) {
     pass.dispatch(

@@ -1,5 +1,7 @@
 #include "renderer/methods/parts/card_sort.h"
 
+#include <bit>
+
 #include "renderer/radix_sort.h"
 
 namespace plume::card_sort {
@@ -12,31 +14,27 @@ void add_needs(Needs& needs, const Transparents& transparents) {
   needs.buffers.push_back({.name = "order", .bytes = count * 4, .clear = {}});
 }
 
-void record(const Picture& picture) {
-  picture.frame.pass("sort", [&](gpu::Pass& pass) {
-    if (picture.transparents.count > 0) record_by_depth(pass, picture);
-  });
+void record(const Picture& picture, Key key) {
+  picture.frame.pass("sort", [&](gpu::Pass& pass) { record_order(pass, picture, key); });
 }
 
-void record_by_depth(gpu::Pass& pass, const Picture& picture) {
-  const Transparents& transparents = picture.transparents;
-  const uint32_t count = transparents.count;
-  pass.dispatch(pass.pipelines().compute("methods/sorted/keys.comp"),
-                {{"View", transparents.view},
-                 {"Cards", transparents.cards},
-                 {"Pairs", &picture.resources.buffer("pairs")}},
-                count, {gpu::groups(count, 256), 1, 1});
+void record_order(gpu::Pass& pass, const Picture& picture, Key key) {
+  gpu::Bindings bindings = picture.transparents.seen();
+  bindings.push_back({"Pairs", &picture.resources.buffer("pairs")});
+  const bool by_depth = key == Key::kDepth;
+  pass.dispatch(pass.pipelines().compute("methods/sorted/keys.comp", {by_depth ? 1u : 0u}), bindings, 0u,
+                picture.transparents.each_seen());
   pass.barrier();
-  record_pairs(pass, picture);
+  record_pairs(pass, picture, by_depth ? 32 : uint32_t(std::bit_width(picture.transparents.count)));
 }
 
-void record_pairs(gpu::Pass& pass, const Picture& picture) {
+void record_pairs(gpu::Pass& pass, const Picture& picture, uint32_t bits) {
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
-  const uint32_t count = picture.transparents.count;
-  radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), count);
+  const gpu::Buffer& work = *picture.transparents.work;
+  radix_sort(pass, *buffer("pairs"), *buffer("scratch"), *buffer("counts"), work, bits);
   pass.dispatch(pass.pipelines().compute("methods/sorted/order.comp"),
-                {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}}, count,
-                {gpu::groups(count, 256), 1, 1});
+                {{"Pairs", buffer("pairs")}, {"Order", buffer("order")}, {"Work", &work}}, 0u,
+                each_item(work));
 }
 
 }  // namespace plume::card_sort

@@ -6,13 +6,13 @@
 #include "methods/avboit/depth_warp.glsl"
 #include "methods/avboit/sharp.glsl"
 #include "methods/avboit/zero_tile.h"
+#include "surface/seen_cards.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = kItemGroup) in;
 layout(constant_id = 0) const uint kRgb = 1u;         // RGB sources have an integral of their own
 layout(constant_id = 1) const uint kCullCards = 1u;   // leave out what lies wholly behind the zero-transmittance depth
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
 layout(scalar, binding = 10) readonly buffer RgbStart { uint rgb_start[]; };
 layout(scalar, binding = 11) writeonly buffer Pairs { uvec2 pairs[]; };
 layout(scalar, binding = 12) readonly buffer ZeroDepths { float zero_depths[]; };
@@ -61,5 +61,5 @@ uint class_of(uint id) {
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;
-  if (i < volume.cards) pairs[i] = uvec2(class_of(order[i]), order[i]);
+  if (i < work.count) pairs[i] = uvec2(class_of(order[i]), order[i]);
 }

@@ -3,9 +3,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface/bounds.glsl"
+#include "surface/seen_cards.glsl"
 #include "methods/avboit/depth_curve.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = kItemGroup) in;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
 layout(scalar, binding = 8) uniform VolumeBlock { Volume volume; };
@@ -18,9 +19,9 @@ void main() {
   const uint thread = gl_LocalInvocationIndex, words = volume.virtual_slices / 32u;
   for (uint w = thread; w < words; w += 256u) bits[w] = apart[w] = 0u;
   barrier();
-  const uint id = gl_GlobalInvocationID.x;
-  if (id < volume.cards) {
-    const Card card = cards[id];
+  const uint i = gl_GlobalInvocationID.x;
+  if (i < work.count) {
+    const Card card = cards[order[i]];
     const Bounds b = bounds_of(card, view);
     if (b.seen) {
       const float scale = float(volume.virtual_slices) / volume.curve_octaves;

@@ -5,16 +5,18 @@
 #include "methods/avboit/card_cells.glsl"
 #include "methods/avboit/depth_warp.glsl"
 #include "methods/avboit/sharp.glsl"
+#include "surface/seen_cards.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = kItemGroup) in;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
 layout(scalar, binding = 11) buffer LayersStart { uint layers_start[]; };   // bits of the nearest depth of a sharp card, a tile
 layout(scalar, binding = 10) buffer Occupancy { uint occupancy[]; };   // [scalar, rgb][tile][kMaskWords]
 
 void main() {
-  const uint id = gl_GlobalInvocationID.x;
-  if (id >= volume.cards) return;
+  const uint i = gl_GlobalInvocationID.x;
+  if (i >= work.count) return;
+  const uint id = order[i];
   const Card card = cards[id];
   const Bounds b = bounds_of(card, view);
   if (!b.seen) return;

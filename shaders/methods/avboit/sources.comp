@@ -4,11 +4,11 @@
 #include "surface/bounds.glsl"
 #include "methods/avboit/card_class.h"
 #include "methods/avboit/sharp.glsl"
+#include "surface/seen_cards.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = kItemGroup) in;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
-layout(scalar, binding = 2) readonly buffer Order { uint order[]; };
 layout(scalar, binding = 8) uniform VolumeBlock { Volume volume; };
 layout(scalar, binding = 11) writeonly buffer Pairs { uvec2 pairs[]; };
 
@@ -21,5 +21,5 @@ uint class_of(uint id) {
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;
-  if (i < volume.cards) pairs[i] = uvec2(class_of(order[i]), order[i]);
+  if (i < work.count) pairs[i] = uvec2(class_of(order[i]), order[i]);
 }

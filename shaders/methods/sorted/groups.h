@@ -8,7 +8,6 @@ PLUME_SHARED_BEGIN
 
 struct OrderedGroup {
   uint first;  // card; groups ascend by it and leave none out
-  uint place;  // of the first card among all that are drawn
   uint rank;   // of the group, front to back
 };
 

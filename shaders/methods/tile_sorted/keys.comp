@@ -4,18 +4,17 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/tile_sorted/tile_sorted.h"
-#include "shared/card.h"
 #include "shared/draw_command.h"
 #include "shared/view.h"
+#include "surface/seen_cards.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = kItemGroup) in;
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
 layout(scalar, binding = 8) writeonly buffer Pairs { uvec2 pairs[]; };
 layout(scalar, binding = 9) buffer Totals { TileTotals totals; };
 layout(scalar, binding = 10) buffer TiltedDraw { DrawCommand tilted_draw; };
 layout(scalar, binding = 11) writeonly buffer TiltedOrder { uint tilted_order[]; };
-layout(push_constant) uniform Push { uint count; };
 
 const float kFacing = 1e-5;   // of a card's size: what it may lean, above rounding
 
@@ -36,15 +35,16 @@ bool is_on_screen(Card card, float depth) {
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;
-  if (i >= count) return;
-  const Card card = cards[i];
-  const bool shows = card.optical_depth > 0.0 || card.emission != uvec2(0u), faces = faces_camera(card);
+  if (i >= work.count) return;
+  const uint id = order[i];
+  const Card card = cards[id];
+  const bool shown = shows(card), faces = faces_camera(card);
   const float depth = dot(card.center - view.camera, view.forward);
-  const bool joins = shows && faces && is_on_screen(card, depth);
-  pairs[i] = uvec2(joins ? floatBitsToUint(depth) : kNotInTiles, i);
+  const bool joins = shown && faces && is_on_screen(card, depth);
+  pairs[i] = uvec2(joins ? floatBitsToUint(depth) : kNotInTiles, id);
   if (joins) atomicAdd(totals.cards, 1u);
-  if (shows && !faces) {
-    tilted_order[atomicAdd(tilted_draw.instances, 1u)] = i;
+  if (shown && !faces) {
+    tilted_order[atomicAdd(tilted_draw.instances, 1u)] = id;
     atomicAdd(totals.tilted, 1u);
   }
 }

@@ -6,11 +6,13 @@
 #include "shared/card.h"
 #include "shared/half.glsl"
 #include "shared/view.h"
+#include "shared/workload.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kItemGroup) in;
 layout(constant_id = 0) const uint kTile = 16u;   // pixels
 layout(scalar, binding = 0) uniform View { ViewData view; };
 layout(scalar, binding = 1) readonly buffer Cards { Card cards[]; };
+layout(scalar, binding = 7) readonly buffer Work { Workload work; };
 layout(scalar, binding = 8) readonly buffer Pairs { uvec2 pairs[]; };
 layout(scalar, binding = 9) readonly buffer Bounds { vec2 bounds[]; };
 layout(scalar, binding = 10) writeonly buffer TileCards { TileCard tile_cards[]; };
@@ -21,7 +23,7 @@ vec2 on_screen(vec3 axis) { return vec2(dot(axis, view.right), -dot(axis, view.u
 
 void main() {
   const uint rank = gl_GlobalInvocationID.x;
-  if (rank >= grid.cards || pairs[rank].x == kNotInTiles) return;
+  if (rank >= work.count || pairs[rank].x == kNotInTiles) return;
   const uint id = pairs[rank].y;
   const Card card = cards[id];
   const float depth = uintBitsToFloat(pairs[rank].x);
