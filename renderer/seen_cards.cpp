@@ -41,10 +41,10 @@ void SeenCards::record(gpu::Frame& frame, const Transparents& transparents,
       return;
     }
     pass.barrier();
-    pass.dispatch(pass.pipelines().compute("surface/seen_keys.comp"),
-                  {{"Cards", transparents.cards}, {"Order", &submission}, {"Work", &all_}, {"Pairs", &pairs_}},
-                  glm::uvec2(transparents.first(Source::kHaze), transparents.first(Source::kRgb)),
-                  each_item(all_));
+    pass.dispatch(
+        pass.pipelines().compute("surface/seen_keys.comp"),
+        {{"Cards", transparents.cards}, {"Order", &submission}, {"Work", &all_}, {"Pairs", &pairs_}},
+        glm::uvec2(transparents.first(Source::kHaze), transparents.first(Source::kRgb)), each_item(all_));
     pass.barrier();
     radix_round(pass, pairs_, sorted_pairs_, counts_, all_, 0);
     pass.dispatch(pass.pipelines().compute("surface/seen_draws.comp"),

@@ -35,13 +35,14 @@ struct CardGroup {
 /// are seen is known on the device only: see SeenCards.
 struct Transparents {
   const gpu::Buffer* cards = nullptr;  ///< shared::Card[count]
-  const gpu::Buffer* order = nullptr;  ///< those that are seen, in the order of submission: uint[at most count]
+  const gpu::Buffer* order =
+      nullptr;  ///< those that are seen, in the order of submission: uint[at most count]
   const gpu::Buffer* work = nullptr;   ///< how many are seen: shared::Workload
   const gpu::Buffer* draws = nullptr;  ///< of all that are seen, then of each source: shared::DrawCommand
   const gpu::Image* puffs =
       nullptr;  ///< array of optical depth, normal, openness; see shaders/effects/puff.comp
   const gpu::Buffer* view = nullptr;  ///< shared::ViewData
-  uint32_t count = 0;                  ///< of `cards`, seen or not
+  uint32_t count = 0;                 ///< of `cards`, seen or not
   std::array<uint32_t, kSources>
       counts{};                   ///< of each source, which follow each other in `cards` and `order`
   std::vector<CardGroup> groups;  ///< each card once, in the order of the scene; empty: all are one group

@@ -184,8 +184,7 @@ class Peel final : public Method {
                   Complexity{pixels, most()}, {gpu::groups(pixels, 64 * 64), 1, 1});
     pass.barrier();
     pass.dispatch(pass.pipelines().compute("methods/peel/draws.comp"), bindings(picture),
-                  Draws{most(), ends(), recorded_},
-                  {gpu::groups(recorded_, 64), 1, 1});
+                  Draws{most(), ends(), recorded_}, {gpu::groups(recorded_, 64), 1, 1});
   }
 
   bool both_ends_;

@@ -229,10 +229,10 @@ class TileSorted final : public Method {
       TileGrid grid;
       uint32_t padded;
     };
-    pass.update(*buffer("scan_work"),
-                shared::Workload{.count = 0,
-                                 .groups = {0, 1, 1},
-                                 .tiles = {grid.count_words / shared::kRadixDigits, 1, 1}});
+    pass.update(
+        *buffer("scan_work"),
+        shared::Workload{
+            .count = 0, .groups = {0, 1, 1}, .tiles = {grid.count_words / shared::kRadixDigits, 1, 1}});
     pass.dispatch(pass.pipelines().compute("methods/tile_sorted/count.comp"),
                   {{"Masks", buffer("masks")}, {"Counts", buffer("counts")}},
                   CountPush{.grid = grid, .padded = grid.count_words}, many_groups(grid.count_words));

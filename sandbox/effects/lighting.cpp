@@ -56,9 +56,6 @@ struct GridPush {
 struct SplatPush {
   uint32_t count, which;
 };
-struct CardsPush {
-  uint32_t count, first_card;
-};
 
 }  // namespace
 
@@ -187,10 +184,9 @@ void Lighting::record_volumes(gpu::Frame& frame, const gpu::Buffer& view) const 
   });
 }
 
-void Lighting::record(gpu::Frame& frame, const gpu::Buffer& view, const gpu::Buffer& cards,
-                      uint32_t first_card) const {
+void Lighting::record(gpu::Frame& frame, const Transparents& seen, uint32_t first_card) const {
   if (count_ == 0) return;
-  if (shadows()) record_volumes(frame, view);
+  if (shadows()) record_volumes(frame, *seen.view);
   frame.pass("light", [&](gpu::Pass& pass) {
     if (!shadows())
       for (const gpu::Image& volume : volumes_) pass.clear(volume, {0, 0, 0, 0});
@@ -203,10 +199,10 @@ void Lighting::record(gpu::Frame& frame, const gpu::Buffer& view, const gpu::Buf
     pass.barrier();
     if (!receives_) return;
     gpu::Bindings bound = bindings();
-    bound.insert(bound.end(), {{"View", &view}, {"Bodies", &bodies_}, {"Cards", &cards}});
+    bound.push_back({"Bodies", &bodies_});
+    for (const gpu::Binding& cards : seen.seen()) bound.push_back(cards);
     pass.dispatch(pass.pipelines().compute("effects/light_cards.comp", {shadows() ? 1u : 0u}), bound,
-                  CardsPush{.count = count_, .first_card = first_card},
-                  {gpu::groups(count_, kGroupSize), 1, 1});
+                  glm::uvec2(first_card, count_), seen.each_seen());
   });
 }
 

@@ -36,9 +36,9 @@ class Lighting {
   bool shadows() const { return volumes_are_ == Volumes::kFull; }
   uint32_t fires() const { return fire_count_; }
 
-  /// After the cards and bodies of this tick; nothing when light asks for nothing.
-  void record(gpu::Frame& frame, const gpu::Buffer& view, const gpu::Buffer& cards,
-              uint32_t first_card) const;
+  /// After the cards and bodies of this tick, and after it is known which are seen; nothing when light asks
+  /// for nothing. `first_card`: where in the buffer of cards those with bodies begin.
+  void record(gpu::Frame& frame, const Transparents& seen, uint32_t first_card) const;
   /// What shaders/effects/light_volume.glsl reads; only with bodies().
   gpu::Bindings bindings() const;
 

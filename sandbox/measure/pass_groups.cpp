@@ -10,6 +10,7 @@ std::optional<PassGroup> group_of(std::string_view pass) {
       {"simulate", kSimulate},
       {"keep particles", kSimulate},
       {"cards", kSimulate},
+      {"seen cards", kSimulate},
       {"extinction", kSimulate},
       {"light", kSimulate},
       {"depth", kPrepass},

@@ -191,8 +191,8 @@ Prelude Stage::prelude() const {
                   simulation_->record_cards(pass, view_, cards_, uint32_t(scalar_panes_.size()),
                                             lighting_->bodies());
                 });
-                lighting_->record(frame, view_, cards_, uint32_t(scalar_panes_.size()));
                 seen_.record(frame, transparents_, submission_);
+                lighting_->record(frame, transparents_, uint32_t(scalar_panes_.size()));
                 opaque_.record_depth(frame, targets, view_);
                 record_debris_depth(frame, targets, simulation_->pieces(), view_);
               },

@@ -6,18 +6,18 @@
 #extension GL_GOOGLE_include_directive : require
 #include "effects/light_volume.glsl"
 #include "effects/sky_light.glsl"
-#include "shared/card.h"
 #include "shared/half.glsl"
 #include "shared/view.h"
+#include "surface/seen_cards.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kItemGroup) in;
 layout(constant_id = 0) const uint kShadowed = 1u;   // something casts
 layout(scalar, binding = 0) uniform View { ViewData view; };
-layout(scalar, binding = 1) readonly buffer Bodies { LitBody bodies[]; };
-layout(scalar, binding = 2) buffer Cards { Card cards[]; };
+layout(scalar, binding = 8) readonly buffer Bodies { LitBody bodies[]; };
+layout(scalar, binding = 1) buffer Cards { Card cards[]; };
 layout(push_constant) uniform Push {
-  uint count;
-  uint first_card;
+  uint first_card;   // of those with a body
+  uint body_count;
 };
 
 const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
@@ -56,10 +56,12 @@ vec3 towards_eye(Card card) {
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;
-  if (i >= count) return;
-  const LitBody body = bodies[i];
+  if (i >= work.count) return;
+  const uint id = order[i], own = id - first_card;
+  if (own >= body_count) return;
+  const LitBody body = bodies[own];
   const vec4 albedo = unpack_half4(body.albedo);
-  const Card card = cards[first_card + i];
+  const Card card = cards[id];
   if (albedo.a == 0.0 || card.axis_u == vec3(0.0)) return;   // unlit, or behind the camera
   float sun_tau = 0.0, sky_tau = 0.0;
   if (kShadowed != 0u) {
@@ -75,8 +77,8 @@ void main() {
   }
   const vec3 towards = sum.mean / max(dot(sum.light, kLuminance), 1e-6);
   const float blend = unpack_half4(card.sunlit).a;
-  cards[first_card + i].sunlit = pack_half4(vec4(albedo.rgb * sum.light, blend));
-  cards[first_card + i].ambient = pack_half4(vec4(albedo.rgb * sky_light(view) * total_share(sky_tau), 0.0));
-  cards[first_card + i].light = pack_half4(
+  cards[id].sunlit = pack_half4(vec4(albedo.rgb * sum.light, blend));
+  cards[id].ambient = pack_half4(vec4(albedo.rgb * sky_light(view) * total_share(sky_tau), 0.0));
+  cards[id].light = pack_half4(
       vec4(dot(towards, normalize(card.axis_u)), dot(towards, normalize(card.axis_v)), dot(towards, towards_eye(card)), 0.0));
 }

@@ -183,14 +183,13 @@ class AvboitTest : public GpuTest {
     SeenCards seen;
     Transparents transparents;
     Prelude prelude() const {
-      return {
-          .geometry =
-              [this](gpu::Frame& frame, const Targets& t) {
-                seen.record(frame, transparents, order);
-                opaque.record_depth(frame, t, view);
-              },
-          .opaque = [this](gpu::Frame& frame, const Targets& t,
-                           const gpu::Image& depth) { opaque.record_color(frame, t, depth, view); }};
+      return {.geometry =
+                  [this](gpu::Frame& frame, const Targets& t) {
+                    seen.record(frame, transparents, order);
+                    opaque.record_depth(frame, t, view);
+                  },
+              .opaque = [this](gpu::Frame& frame, const Targets& t,
+                               const gpu::Image& depth) { opaque.record_color(frame, t, depth, view); }};
     }
   };
   std::unique_ptr<World> world() {

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <functional>
 #include <glm/gtc/packing.hpp>
+#include <numeric>
 #include <random>
 
+#include "renderer/seen_cards.h"
+#include "sandbox/effects/card_kernels.h"
 #include "sandbox/scene/view.h"
 #include "shaders/shared/card.h"
 #include "tests/gpu/gpu_test.h"
@@ -77,16 +80,36 @@ class LightingTest : public GpuTest {
     view.mapped<shared::ViewData>()[0] = make_view(scene, camera.value_or(CameraKey{}), {64, 64}, tick);
     Lighting lighting(device, options, {{0u, glm::vec3(0.0f)}});
     lighting.fit(cards_by_emitter(simulation.instances()), simulation.cards());
-    const gpu::Buffer cards(
-        device, {.owner = "test", .label = "cards", .bytes = simulation.cards() * sizeof(shared::Card)});
+    const uint32_t count = kPanes + simulation.cards();
+    const gpu::Buffer cards(device,
+                            {.owner = "test", .label = "cards", .bytes = count * sizeof(shared::Card)});
+    std::vector<uint32_t> in_order(count);
+    std::iota(in_order.begin(), in_order.end(), 0u);
+    const auto submission = gpu::make_buffer(device, "test", "submission", in_order);
+    Transparents transparents{.cards = &cards,
+                              .view = &view,
+                              .count = count,
+                              .counts = cards_by_source(simulation.instances())};
+    transparents.counts[0] += kPanes;
+    std::vector<shared::Card> panes(kPanes);
+    for (shared::Card& pane : panes) pane.optical_depth = 1.0f;
+    SeenCards seen(device);
+    seen.fit(transparents);
     gpu::Frame frame(device, pipelines);
-    frame.pass("cards",
-               [&](gpu::Pass& pass) { simulation.record_cards(pass, view, cards, 0, lighting.bodies()); });
-    lighting.record(frame, view, cards, 0);
+    frame.pass("cards", [&](gpu::Pass& pass) {
+      pass.update(cards, std::span<const shared::Card>(panes));
+      simulation.record_cards(pass, view, cards, kPanes, lighting.bodies());
+    });
+    seen.record(frame, transparents, submission);
+    lighting.record(frame, transparents, kPanes);
     if (after) after(frame, view, lighting);
     Lit lit;
-    for (const gpu::PassTime& pass : frame.finish()) lit.passes.push_back(pass.name);
+    for (const gpu::PassTime& pass : frame.finish())
+      if (pass.name != "seen cards") lit.passes.push_back(pass.name);
     lit.cards = gpu::read<shared::Card>(device, cards);
+    for (uint32_t i = 0; i < kPanes; ++i)
+      EXPECT_EQ(0, std::memcmp(&panes[i], &lit.cards[i], sizeof(shared::Card))) << "no body, no light";
+    lit.cards.erase(lit.cards.begin(), lit.cards.begin() + kPanes);
     if (!lighting.bodies()) return lit;
     lit.bodies = gpu::read<shared::LitBody>(device, *lighting.bodies());
     lit.bodies.resize(simulation.cards());
@@ -99,6 +122,7 @@ class LightingTest : public GpuTest {
     return lit;
   }
 
+  static constexpr uint32_t kPanes = 3;  ///< cards without a body, before those with one
   Scene scene;
 };
 

@@ -92,12 +92,11 @@ class OutputsTest : public GpuTest {
                                     .layers = 1,
                                     .usage = vk::ImageUsageFlagBits::eSampled});
     const OpaqueScene opaque(device, scene.solids);
-    Transparents transparents{
-        .cards = &card_buffer,
-        .puffs = &puffs,
-        .view = &view,
-        .count = uint32_t(cards.scalar.size() + cards.haze.size()),
-        .counts = {uint32_t(cards.scalar.size()), uint32_t(cards.haze.size()), 0}};
+    Transparents transparents{.cards = &card_buffer,
+                              .puffs = &puffs,
+                              .view = &view,
+                              .count = uint32_t(cards.scalar.size() + cards.haze.size()),
+                              .counts = {uint32_t(cards.scalar.size()), uint32_t(cards.haze.size()), 0}};
     SeenCards seen(device);
     seen.fit(transparents);
     const Prelude prelude{

@@ -43,5 +43,16 @@ TEST_F(RadixSortTest, EqualsAStableSortForAnyCount) {
     }
 }
 
+TEST_F(RadixSortTest, SortsByAsManyBitsAsItIsTold) {
+  std::mt19937 random(8);
+  for (const uint32_t bits : {1u, 4u, 6u, 8u, 12u, 17u}) {
+    std::vector<Pair> pairs;
+    for (uint32_t i = 0; i < 3000; ++i) pairs.push_back({uint32_t(random()) & ((1u << bits) - 1), i});
+    auto expected = pairs;
+    std::ranges::stable_sort(expected, {}, &Pair::key);
+    EXPECT_EQ(expected, sort(pairs, bits)) << bits << " bits";
+  }
+}
+
 }  // namespace
 }  // namespace plume

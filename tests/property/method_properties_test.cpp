@@ -79,6 +79,20 @@ TEST_P(MethodProperties, AnUncoveredEmissionNeverTurnsIntoNanOrInfinity) {
     }
 }
 
+TEST_P(MethodProperties, CardsThatShowNothingLeaveNoTrace) {
+  if (GetParam() == "stochastic") GTEST_SKIP() << "which samples a card covers depends on its number";
+  Scene scene = room(), with_hidden = room();
+  for (int i = 0; i < 12; ++i) {
+    const Pane seen = card(0.3f * float(i) - 2, 0.1f + 0.05f * float(i), {0.1f * float(i), 0.5f, 0.2f});
+    scene.panes.push_back(seen);
+    for (int hidden = 0; hidden < 30; ++hidden)
+      with_hidden.panes.push_back(card(float(hidden % 7) - 3, 0, {1, 1, 1}));
+    with_hidden.panes.push_back(seen);
+  }
+  const auto without = draw_scene(scene).linear.pixels, with = draw_scene(with_hidden).linear.pixels;
+  for (size_t i = 0; i < without.size(); ++i) ASSERT_EQ(without[i], with[i]) << "pixel " << i;
+}
+
 TEST_P(MethodProperties, OpaqueThingsHideWhatIsBehindThem) {
   Scene scene = room();
   Solid wall;
