@@ -1,6 +1,9 @@
 // The passes of the methods on the street: sort, splat and draw, in fragments per second, against a copy of
 // what blending moves.
+#include <map>
+
 #include "renderer/radix_sort.h"
+#include "sandbox/measure/statistics.h"
 #include "shaders/methods/parts/fragment_list/fragment_list.h"
 #include "tests/bench/gpu_bench.h"
 
@@ -10,9 +13,14 @@ namespace {
 constexpr double kBlendBytes = 16;  // RGBA16F, read and written
 
 struct Street {
-  Street() { stage.go_to(stage.scene().default_tick, targets.size); }
+  explicit Street(uint32_t hidden_cards = 0) {
+    Scene scene = bench.library.scene("street");
+    scene.panes.insert(scene.panes.begin(), hidden_cards, Pane{.coverage = 0.0f});
+    stage.emplace(bench.device, bench.pipelines, bench.library, std::move(scene));
+    stage->go_to(stage->scene().default_tick, targets.size);
+  }
   BenchDevice& bench = bench_device();
-  Stage stage{bench.device, bench.pipelines, bench.library, bench.library.scene("street")};
+  std::optional<Stage> stage;
   Targets targets{bench.device, {640, 360}};
 
   MethodInstance method(std::string_view id) {
@@ -21,7 +29,8 @@ struct Street {
     return made;
   }
   std::vector<gpu::PassTime> draw(MethodInstance& method) {
-    return render_frame(bench.device, bench.pipelines, targets, stage.prelude(), stage.transparents(), method)
+    return render_frame(bench.device, bench.pipelines, targets, stage->prelude(), stage->transparents(),
+                        method)
         .passes;
   }
   /// Fragments that cover or emit anything, as the reference counts them.
@@ -50,17 +59,39 @@ void BM_Sort(benchmark::State& state) {
   const gpu::Buffer scratch(bench.device, {.owner = "bench", .label = "scratch", .bytes = unsorted.bytes()});
   const gpu::Buffer counts(bench.device,
                            {.owner = "bench", .label = "counts", .bytes = radix_counts_bytes(count)});
+  const gpu::Buffer work =
+      gpu::make_buffer(bench.device, "bench", "work", std::vector{shared::workload_of(count)});
   AgainstCopy result(state, "cards/s", count, 2 * sizeof(glm::uvec2));
   for (auto _ : state) {
     gpu::Frame frame(bench.device, bench.pipelines);
     frame.pass("reset", [&](gpu::Pass& pass) {
       pass.commands().copyBuffer(unsorted.vk(), keys.vk(), vk::BufferCopy{.size = keys.bytes()});
     });
-    frame.pass("sort", [&](gpu::Pass& pass) { radix_sort(pass, keys, scratch, counts, count); });
+    frame.pass("sort", [&](gpu::Pass& pass) { radix_sort(pass, keys, scratch, counts, work); });
     result.add(seconds_of(frame.finish(), "sort"));
   }
 }
 
+/// The street with so many more cards that show nothing, against the street, in turns.
+void BM_Hidden(benchmark::State& state) {
+  Street street, hiding(uint32_t(state.range(0)));
+  MethodInstance method = street.method("sorted");
+  hiding.draw(method);
+  const std::array kPasses{"seen cards", "light", "sort", "draw"};
+  std::map<std::string, std::vector<double>> added;
+  for (auto _ : state) {
+    const auto few = street.draw(method), many = hiding.draw(method);
+    double all = 0;
+    for (const char* pass : kPasses) {
+      added[pass].push_back(1e3 * (seconds_of(many, pass) - seconds_of(few, pass)));
+      all += seconds_of(many, pass);
+    }
+    state.SetIterationTime(all);
+  }
+  for (const char* pass : kPasses) state.counters[std::string(pass) + " +ms"] = summarise(added[pass]).median;
+}
+
+BENCHMARK(BM_Hidden)->Arg(1'000)->Arg(100'000)->Apply(timed);
 BENCHMARK(BM_Sort)->Arg(1'000)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
 BENCHMARK_CAPTURE(BM_Pass, avboit_splat, "avboit", "splat")->Apply(timed);
 BENCHMARK_CAPTURE(BM_Pass, avboit_draw, "avboit", "draw")->Apply(timed);
