@@ -61,12 +61,6 @@ void Simulation::adopt(Simulation& old, const std::vector<std::optional<uint32_t
   particles_ = std::move(old.particles_);
 }
 
-void Simulation::set_frozen(uint32_t call, bool frozen) {
-  CallState& instance = instances_.calls.at(call);
-  forget_after(instance, tick());
-  if (frozen) instance.clock.freeze({tick(), UINT32_MAX - 1});
-}
-
 /// Gives every emitter that is awake its slots. Those that were awake before keep their particles: returns
 /// what is to be copied from the old pool.
 std::vector<vk::BufferCopy> Simulation::lay_out_pool() {

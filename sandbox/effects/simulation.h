@@ -38,8 +38,6 @@ class Simulation {
   /// not brought from their births. `was` says for each call which one it is there, with the same
   /// description; nothing: it is new. `old` is of no use any more.
   void adopt(Simulation& old, const std::vector<std::optional<uint32_t>>& was);
-  /// Stops the time of a call after the present tick, by hand, or lets it go on.
-  void set_frozen(uint32_t call, bool frozen);
 
   uint32_t tick() const { return tick_.value(); }
   /// Cards that record_cards() writes: of the living, the just dead and those not born yet.

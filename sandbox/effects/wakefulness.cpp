@@ -31,6 +31,12 @@ std::string why_asleep(const Instances& instances, uint32_t call, uint32_t tick)
                                           : "out of view";
 }
 
+/// Pauses after a tick. What the scene says of the time to come stays.
+void forget_after(CallState& instance, uint32_t tick) {
+  instance.clock.forget_from(tick + 1);
+  for (const Freeze& freeze : instance.call.freezes) instance.clock.freeze(freeze);
+}
+
 }  // namespace
 
 void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t tick, const Views& views,
@@ -53,11 +59,6 @@ void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t ti
     unless_seen(still, tick, script.views(still));
     unless_seen(tick, tick + 1, views);
   }
-}
-
-void forget_after(CallState& instance, uint32_t tick) {
-  instance.clock.forget_from(tick + 1);
-  for (const Freeze& freeze : instance.call.freezes) instance.clock.freeze(freeze);
 }
 
 bool decide(Instances& instances, uint32_t tick, const Views& views) {

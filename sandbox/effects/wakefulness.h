@@ -26,8 +26,6 @@ struct Script {
 /// came later.
 void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t tick, const Views& views,
                const Script& script);
-/// Forgets freezes by hand and pauses after a tick. What the scene says of the time to come stays.
-void forget_after(CallState& instance, uint32_t tick);
 /// Notes what is wanted of each emitter at a tick. Returns whether any fell asleep or woke.
 bool decide(Instances& instances, uint32_t tick, const Views& views);
 /// Adds to each instance's demand what the tick took, and says why. `jumped`: it does not follow the one
