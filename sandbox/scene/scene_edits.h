@@ -2,13 +2,12 @@
 #ifndef PLUME_SCENE_SCENE_EDITS_H
 #define PLUME_SCENE_SCENE_EDITS_H
 
-#include <cstddef>
-#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
 
 #include "sandbox/effects/effect.h"
+#include "sandbox/scene/scene.h"
 
 namespace plume {
 
@@ -17,6 +16,10 @@ struct SceneEdits {
   std::set<size_t> muted;                 ///< instances that count as not called
   std::map<size_t, uint32_t> frozen;      ///< instances, and the tick after which their time stands still
 };
+
+/// The scene as its file would say it with what is muted and frozen: the first are not called, the others
+/// have a freeze until the last tick there is.
+Scene as_played(Scene scene, const SceneEdits& edits);
 
 }  // namespace plume
 #endif

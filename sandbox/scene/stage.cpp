@@ -52,7 +52,7 @@ std::map<std::string, Effect> Stage::effects_with(const SceneEdits& edits) {
 
 void Stage::revise(const SceneEdits& edits) {
   std::map<std::string, Effect> effects = effects_with(edits);
-  if (auto mistakes = check_references(scene_, library_, effects); !mistakes.empty())
+  if (auto mistakes = check_references(as_played(scene_, edits), library_, effects); !mistakes.empty())
     throw FileErrors(std::move(mistakes));
   call_effects(std::move(effects), edits);
 }
@@ -69,16 +69,14 @@ void Stage::add_instance(Instance instance, const SceneEdits& edits) {
 
 /// What stands is replaced only once all that comes is made.
 void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits) {
+  Scene played = as_played(scene_, edits);
   std::vector<Call> calls;
-  std::vector<std::optional<uint32_t>> call_of(scene_.instances.size()), was;
-  for (size_t i = 0; i < scene_.instances.size(); ++i) {
-    const Instance& instance = scene_.instances[i];
-    if (!instance.call_tick || edits.muted.contains(i)) continue;
+  std::vector<std::optional<uint32_t>> call_of(played.instances.size()), was;
+  for (size_t i = 0; i < played.instances.size(); ++i) {
+    const Instance& instance = played.instances[i];
+    if (!instance.call_tick) continue;
     std::vector<Layer> layers;
     for (const LayerOffset& layer : instance.layers) layers.push_back({layer.layer, layer.camera_offset_m});
-    std::vector<Freeze> freezes = instance.freezes;
-    if (const auto frozen = edits.frozen.find(i); frozen != edits.frozen.end())
-      freezes.push_back({frozen->second, kMaxTick});
     call_of[i] = uint32_t(calls.size());
     const bool stays =
         i < call_of_.size() && call_of_[i] &&
@@ -88,7 +86,7 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
                      .effect = &effects.at(instance.effect),
                      .tick = *instance.call_tick,
                      .stop_tick = instance.stop_tick,
-                     .freezes = std::move(freezes),
+                     .freezes = instance.freezes,
                      .position = instance.position,
                      .path = instance.path,
                      .yaw_deg = instance.yaw_deg,
@@ -112,6 +110,7 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
   lighting_ = std::move(lighting);
   effects_ = std::move(effects);  // which keeps their addresses
   call_of_ = std::move(call_of);
+  played_ = std::move(played);
 }
 
 void Stage::fit_cards(uint32_t count) {
@@ -206,16 +205,21 @@ Prelude Stage::prelude() const {
 
 Post Stage::post() const {
   const auto bends = [](const Emitter& emitter) { return emitter.look.distortion_deg > 0.0f; };
-  const auto is_haze = [&](const auto& effect) { return std::ranges::any_of(effect.second.emitters, bends); };
-  Post post{.distortion = std::ranges::any_of(effects_, is_haze), .lens = {}};
+  const auto is_haze = [&](const Effect& effect) { return std::ranges::any_of(effect.emitters, bends); };
+  Post post{.distortion = plays(is_haze), .lens = {}};
   if (const auto& wanted = scene_.depth_of_field)
     post.lens = Lens{.focus_m = wanted->focus_m, .aperture_mm = wanted->aperture_mm};
   return post;
 }
 
 bool Stage::remembers() const {
-  return std::ranges::any_of(
-      effects_, [](const auto& effect) { return effect.second.off_screen == OffScreen::kPause; });
+  return plays([](const Effect& effect) { return effect.off_screen == OffScreen::kPause; });
+}
+
+bool Stage::plays(const std::function<bool(const Effect&)>& which) const {
+  return std::ranges::any_of(played_.instances, [&](const Instance& instance) {
+    return instance.call_tick && which(effects_.at(instance.effect));
+  });
 }
 
 std::vector<InstanceDemand> Stage::demand() const {

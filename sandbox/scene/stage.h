@@ -2,6 +2,7 @@
 #ifndef PLUME_SCENE_STAGE_H
 #define PLUME_SCENE_STAGE_H
 
+#include <functional>
 #include <memory>
 
 #include "renderer/frame.h"
@@ -45,7 +46,9 @@ class Stage {
   void set_draw_order(const std::vector<uint32_t>& order);
 
   const Scene& scene() const { return scene_; }
-  /// Those that are called, by what the scene calls them.
+  /// With what is muted and frozen: a stage made of this one shows the same.
+  const Scene& played() const { return played_; }
+  /// Those that are called or muted, by what the scene calls them.
   const std::map<std::string, Effect>& effects() const { return effects_; }
   const Simulation& simulation() const { return *simulation_; }
   const Lighting& lighting() const { return *lighting_; }
@@ -57,13 +60,14 @@ class Stage {
  private:
   std::map<std::string, Effect> effects_with(const SceneEdits& edits);
   void call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits);
+  bool plays(const std::function<bool(const Effect&)>& which) const;
   void fit_cards(uint32_t count);
   std::vector<CardGroup> card_groups() const;
 
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   const PresetLibrary& library_;
-  Scene scene_;
+  Scene scene_, played_;
   std::map<std::string, Effect> from_library_, effects_;  ///< by the name that the scene calls them
   std::vector<std::optional<uint32_t>> call_of_;
   gpu::Image puffs_;
