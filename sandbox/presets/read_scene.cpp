@@ -36,16 +36,15 @@ constexpr Limits kAngle{-360, 360, "degrees"};
 constexpr Limits kShare{0, 1};
 constexpr Limits kRadiance{0, 10'000};
 
+constexpr float kShortest = 1e-6f;  // below this, squaring would lose the direction
+
 void read_light(TableReader& light, Light& out) {
   light.toggle("sky", out.sky);
   light.vector("zenith", out.zenith, kRadiance);
   light.vector("horizon", out.horizon, kRadiance);
   light.vector("sun_direction", out.sun_direction, {-1000, 1000});
-  // Below this, squaring would lose the direction.
-  if (glm::length(out.sun_direction) < 1e-6f)
+  if (glm::length(out.sun_direction) < kShortest)
     light.report("sun_direction", "`sun_direction` is zero, expected a direction towards the sun");
-  else if (std::abs(glm::length(out.sun_direction) - 1) > 1e-6f)  // so that one written by us stays as it is
-    out.sun_direction = glm::normalize(out.sun_direction);
   light.vector("sun_color", out.sun_color, kRadiance);
   light.toggle("self_shadow", out.self_shadow);
   light.integer("shadow_cells", out.shadow_cells, {shared::kLeastLightCells, shared::kMostLightCells});
@@ -276,6 +275,10 @@ void read_top(TableReader& top, Scene& scene) {
   top.choice("tonemap", scene.tonemap, kTonemapNames);
   top.vector("wind", scene.wind, {-100, 100, "m/s"});
   top.table("light", [&](TableReader& light) { read_light(light, scene.light); });
+  // The one that nobody said too; but one that we wrote stays as it is.
+  if (const float length = glm::length(scene.light.sun_direction);
+      length >= kShortest && std::abs(length - 1) > 1e-6f)
+    scene.light.sun_direction = glm::normalize(scene.light.sun_direction);
   top.table("depth_of_field", [&](TableReader& lens) {
     DepthOfField& out = scene.depth_of_field.emplace();
     lens.number("focus_m", out.focus_m, {0.01, 10'000, "m"}, Need::kRequired);
