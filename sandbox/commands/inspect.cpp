@@ -142,9 +142,10 @@ int run_inspect(const InspectFlags& flags) {
       {gpu.device, gpu.pipelines, targets, prelude, stage.transparents()}, instance, view, flags.slice);
 
   const ValueRange found = range_of(seen.values);
-  const auto range =
-      flags.range ? std::optional(glm::vec2(flags.range->first, flags.range->second)) : view.range;
-  const ValueScale scale = scale_over(found, range, flags.logarithmic || (view.logarithmic && !flags.linear));
+  ViewChoice choice{.id = view.id, .slice = flags.slice};
+  choice.logarithmic = flags.logarithmic || (view.logarithmic && !flags.linear);
+  if (flags.range) choice.range = glm::vec2(flags.range->first, flags.range->second);
+  const ValueScale scale = scale_of(choice, view, found);
   for (const std::string& file : flags.files) write(file, seen.values, scale);
   json result = told(seen, found, scale);
   result["scene"] = stage.scene().id;

@@ -26,6 +26,10 @@ Raster<float> largest_difference(const Image& a, const Image& b) {
 
 }  // namespace
 
+ValueScale scale_of(const ViewChoice& choice, const Inspection& view, const ValueRange& found) {
+  return scale_over(found, choice.range ? choice.range : view.range, choice.logarithmic);
+}
+
 std::vector<Inspection> Inspector::inspections(const Method& method) {
   std::vector<Inspection> all{
       {.id = std::string(kFlip),

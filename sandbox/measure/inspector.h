@@ -3,7 +3,8 @@
 #define PLUME_MEASURE_INSPECTOR_H
 
 #include "renderer/frame.h"
-#include "sandbox/measure/image.h"
+#include "sandbox/measure/value_map.h"
+#include "sandbox/scene/view_choice.h"
 
 namespace plume {
 
@@ -24,6 +25,9 @@ struct Subject {
   const Prelude& prelude;
   const Transparents& transparents;
 };
+
+/// Of the colours of a view in which such numbers were found.
+ValueScale scale_of(const ViewChoice& choice, const Inspection& view, const ValueRange& found);
 
 class Inspector {
  public:

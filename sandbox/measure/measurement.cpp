@@ -13,6 +13,7 @@
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/flip.h"
 #include "sandbox/measure/image_io.h"
+#include "sandbox/measure/inspector.h"
 #include "sandbox/measure/metrics.h"
 #include "sandbox/measure/picture.h"
 #include "sandbox/presets/read_scene.h"
@@ -33,6 +34,7 @@ struct Contender {
   std::vector<std::vector<gpu::PassTime>> samples;
   std::vector<double> transparency_ms;  // of the same drawings
   std::optional<DrawnPicture> picture;
+  std::optional<DisplayImage> view;  // in its place
 };
 
 /// A frame before it is measured: what is known of it, and which files it will leave.
@@ -64,8 +66,10 @@ std::string stem_of(const std::string& scene, uint32_t tick, const std::string& 
 }
 
 /// Of a recording, whose pictures stand in the order in which they were seen.
-std::string stem_of_shot(uint32_t shot, const std::string& scene, uint32_t tick, const std::string& method) {
-  return fmt::format("shot_{:06}_{}", shot, stem_of(scene, tick, method));
+std::string stem_of_shot(uint32_t shot, const std::string& scene, uint32_t tick, const std::string& method,
+                         const ViewChoice& view) {
+  return fmt::format("shot_{:06}_{}{}{}", shot, stem_of(scene, tick, method), view.id.empty() ? "" : "_",
+                     view.id);
 }
 
 /// The scenes of a replay by the names it has for them.
@@ -81,6 +85,7 @@ struct Moment {
   glm::uvec2 size;
   std::optional<CameraKey> camera;  // of one's own
   uint32_t shot = 0;                // from 1; 0: none
+  ViewChoice view{};                // of its method, in the place of the picture
 };
 
 void refuse_shared_files(const std::vector<Replay>& replays, const std::vector<Scenes>& scenes) {
@@ -103,7 +108,7 @@ void refuse_shared_files(const std::vector<Replay>& replays, const std::vector<S
       const Shot& shot = replays[i].shots[s];
       const std::string& scene = scenes[i].at(scene_name(replays[i], shot)).id;
       const std::string& method = replays[i].methods[shot.method].id;
-      claim(stem_of_shot(s + 1, scene, shot.tick, method),
+      claim(stem_of_shot(s + 1, scene, shot.tick, method, shot.view),
             fmt::format("shot {}, {} at tick {} with {}", s + 1, scene, shot.tick, method));
     }
   }
@@ -238,7 +243,8 @@ class Measurement {
       const Moment moment{.tick = shot.tick,
                           .size = shot.size == glm::uvec2(0) ? replay.size : shot.size,
                           .camera = shot.camera,
-                          .shot = i + 1};
+                          .shot = i + 1,
+                          .view = shot.view};
       if (!scene || *scene != scene_name(replay, shot)) {
         scene = &scene_name(replay, shot);
         targets.reset();
@@ -287,8 +293,9 @@ class Measurement {
     }
     const Capture& capture = replay.capture;
     if (!capture.ticks.empty() && !std::ranges::binary_search(capture.ticks, frame.tick)) return job;
-    const std::string stem = frame.shot ? stem_of_shot(frame.shot, frame.scene, frame.tick, frame.method)
-                                        : stem_of(frame.scene, frame.tick, contender.label);
+    const std::string stem =
+        frame.shot ? stem_of_shot(frame.shot, frame.scene, frame.tick, frame.method, moment.view)
+                   : stem_of(frame.scene, frame.tick, contender.label);
     if (capture.images) frame.image = stem + ".png";
     if (capture.error_maps) frame.error_map = stem + "_error.png";
     if (capture.hdr) job.hdr = stem + ".exr";
@@ -321,8 +328,10 @@ class Measurement {
       stop_if_interrupted();
       stage.go_to(moment.tick, moment.size, moment.camera);
       const DrawnPicture reference = draw_reference(stage, targets);
-      for (Contender& c : contenders) c.samples.clear(), c.transparency_ms.clear(), c.picture.reset();
+      for (Contender& c : contenders)
+        c.samples.clear(), c.transparency_ms.clear(), c.picture.reset(), c.view.reset();
       draw_contenders(replay, stage, targets, contenders);
+      if (!moment.view.id.empty()) look_at(moment.view, stage, targets, contenders.front());
       for (size_t i = 0; i < jobs.size(); ++i)
         if (const auto before = finished(jobs[i]); before != results_.frames.end())
           place(before);
@@ -366,6 +375,17 @@ class Measurement {
       }
   }
 
+  /// Times and errors stay those of the picture.
+  void look_at(const ViewChoice& choice, const Stage& stage, const Targets& targets, Contender& c) {
+    const auto view = Inspector::find(*c.instance.method, choice.id);
+    if (!view || !c.missing.empty()) return;  // --set may have taken the view away
+    const Prelude prelude = stage.prelude();
+    const Inspected seen =
+        inspector_.inspect({device_, pipelines_, targets, prelude, stage.transparents()}, c.instance, *view,
+                           std::min(choice.slice, std::max(view->slices, 1u) - 1));
+    c.view = value_image(seen.values, scale_of(choice, *view, range_of(seen.values)));
+  }
+
   void stop_if_interrupted() const {
     if (options_.interrupted && options_.interrupted()) throw Interrupted();
   }
@@ -381,7 +401,8 @@ class Measurement {
       frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
       Raster<float> error_map;
       frame.error = compare(reference, *contender.picture, error_map);
-      if (!frame.image.empty()) write_png(options_.out / frame.image, contender.picture->display);
+      if (!frame.image.empty())
+        write_png(options_.out / frame.image, contender.view.value_or(contender.picture->display));
       if (!frame.error_map.empty()) write_png(options_.out / frame.error_map, magma_image(error_map));
       if (!job.hdr.empty()) write_exr(options_.out / job.hdr, contender.picture->linear);
     }
@@ -414,6 +435,7 @@ class Measurement {
   const MeasurementOptions& options_;
   Results results_;
   MethodInstance reference_;
+  Inspector inspector_;
   size_t total_ = 0, done_ = 0;  // ticks
   size_t placed_ = 0;            // frames
 };

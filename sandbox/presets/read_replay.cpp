@@ -8,6 +8,7 @@
 #include "renderer/methods/method.h"
 #include "renderer/methods/methods.h"
 #include "renderer/parameters.h"
+#include "sandbox/measure/inspector.h"
 #include "sandbox/presets/library.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/presets/table_reader.h"
@@ -17,6 +18,8 @@ namespace {
 
 constexpr size_t kMaxMethods = 1'000, kMaxTicks = 1'000'000, kMaxShots = 100'000;
 constexpr Limits kPixels{1, 16'384, "pixels"};
+constexpr uint32_t kMaxSlices = 65'536;             // of any view
+constexpr Limits kShown{-3.4e38, 3.4e38, "units"};  // what a view can show: any number
 
 void read_ticks(TableReader& top, std::vector<uint32_t>& ticks) {
   if (!top.is_table("ticks")) {
@@ -59,6 +62,30 @@ MethodRun read_method(TableReader& table) {
   return run;
 }
 
+/// What the method as it is set can show.
+ViewChoice read_view(TableReader& table, const MethodRun& run) {
+  ViewChoice view;
+  const bool named = table.text("id", view.id, Need::kRequired);
+  const std::unique_ptr<Method> method = make_method(run.id);
+  std::optional<Inspection> known;
+  if (named && method) {
+    for (const auto& [name, value] : run.settings) set_parameter(*method, name, value);
+    known = Inspector::find(*method, view.id);
+    if (!known) {
+      std::vector<std::string> ids;
+      for (const Inspection& one : Inspector::inspections(*method)) ids.push_back(one.id);
+      table.report("id", fmt::format("`{}` as it is set has no view `{}`, {}", run.id, view.id,
+                                     suggestion(view.id, ids)));
+    }
+  }
+  const uint32_t slices = known ? std::max(known->slices, 1u) : kMaxSlices;
+  table.integer("slice", view.slice, {0, double(slices - 1), "slices"});
+  table.toggle("log", view.logarithmic);
+  glm::vec2 range(0, 1);
+  if (table.vector("range", range, kShown)) view.range = range;
+  return view;
+}
+
 /// All methods come before the shots, wherever they stand in the file.
 Shot read_shot(TableReader& table, const Replay& replay) {
   Shot shot;
@@ -72,6 +99,10 @@ Shot read_shot(TableReader& table, const Replay& replay) {
   }
   table.size("size", shot.size, kPixels);
   table.table("camera", [&](TableReader& camera) { shot.camera = read_camera_key(camera); });
+  table.table("view", [&](TableReader& view) {
+    shot.view =
+        read_view(view, shot.method < replay.methods.size() ? replay.methods[shot.method] : MethodRun{});
+  });
   return shot;
 }
 

@@ -21,11 +21,25 @@ std::string size_text(glm::uvec2 size) {
   return fmt::format("[{}, {}]", size.x, size.y);
 }
 
+std::string number_text(float number) {
+  return to_toml({number});
+}
+
+std::string view_text(const ViewChoice& view) {
+  std::string text = fmt::format("[shot.view]\nid = {}\n", quoted_text(view.id));
+  if (view.slice > 0) text += fmt::format("slice = {}\n", view.slice);
+  if (view.logarithmic) text += "log = true\n";
+  if (view.range)
+    text += fmt::format("range = [{}, {}]\n", number_text(view.range->x), number_text(view.range->y));
+  return text;
+}
+
 std::string shot_text(const Shot& shot) {
   std::string text = fmt::format("\n[[shot]]\ntick = {}\nmethod = {}\n", shot.tick, shot.method + 1);
   if (!shot.scene.empty()) text += fmt::format("scene = {}\n", quoted_text(shot.scene));
   if (shot.size != glm::uvec2(0)) text += fmt::format("size = {}\n", size_text(shot.size));
   if (shot.camera) text += "[shot.camera]\n" + camera_text(*shot.camera);
+  if (!shot.view.id.empty()) text += view_text(shot.view);
   return text;
 }
 

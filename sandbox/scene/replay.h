@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sandbox/scene/scene.h"
+#include "sandbox/scene/view_choice.h"
 
 namespace plume {
 
@@ -35,6 +36,7 @@ struct Shot {
   FilePosition scene_at;
   glm::uvec2 size{0};               ///< 0: the replay's
   std::optional<CameraKey> camera;  ///< of one's own, which does not move; nothing: the scene's
+  ViewChoice view;                  ///< in the place of the picture
 };
 
 struct Replay {

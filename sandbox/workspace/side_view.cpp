@@ -30,7 +30,7 @@ FrameReport SideView::draw(const Subject& subject, MethodInstance& instance, Ins
   slice = std::min(slice, std::max(view->slices, 1u) - 1);
   shown = inspector.inspect(subject, instance, *view, slice);
   found = range_of(shown->values);
-  scale = scale_over(found, range ? range : view->range, logarithmic);
+  scale = scale_of(*this, *view, found);
   show(subject.device, subject.targets, value_image(shown->values, scale));
   return shown->report;
 }

@@ -7,12 +7,7 @@
 
 namespace plume {
 
-struct SideView {
-  std::string id;                  ///< of an Inspection; empty: the picture
-  uint32_t slice = 0;              ///< of the views that have slices
-  bool logarithmic = false;        ///< the scale of the colours
-  std::optional<glm::vec2> range;  ///< held; nothing: what the view can be, or what is found
-
+struct SideView : ViewChoice {
   std::optional<Inspected> shown;  ///< of the last drawing; nothing: it shows the picture
   ValueScale scale;                ///< that it is coloured by
   ValueRange found;

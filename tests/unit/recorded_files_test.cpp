@@ -125,6 +125,12 @@ TEST(WrittenScene, ReadsBackAsEveryShippedSceneToTheBit) {
   }
 }
 
+TEST(WrittenScene, ReadsBackWhatWasNotSaid) {
+  const Scene scene =
+      read_scene_text("name = 'bare'\n[camera]\nposition = [0, 1, 5]\ntarget = [0, 1, 0]\n", "x.toml");
+  expect_same(read_scene_text(scene_text(scene), "x.toml"), scene);
+}
+
 TEST(WrittenScene, KeepsWhatNoShippedSceneHas) {
   Scene scene;
   scene.name = "a \"name\"\nof two lines";
@@ -164,6 +170,8 @@ Replay recording() {
   replay.shots[1].scene = "scenes/2/glass.toml";
   replay.shots[1].size = {320, 180};
   replay.shots[2].camera = CameraKey{.position = {0.1f, 2, 3}, .target = {1, 1e-3f, 0}};
+  replay.shots[1].view = {.id = "flip"};
+  replay.shots[2].view = {.id = "overdraw", .slice = 0, .logarithmic = true, .range = glm::vec2(0.1f, 1e-7f)};
   replay.capture.error_maps = false;
   replay.capture.hdr = true;
   return replay;
@@ -195,6 +203,7 @@ TEST(WrittenReplay, ReadsBackShotByShot) {
     EXPECT_EQ(read.shots[i].method, replay.shots[i].method);
     EXPECT_EQ(read.shots[i].scene, replay.shots[i].scene);
     EXPECT_EQ(read.shots[i].size, replay.shots[i].size);
+    EXPECT_EQ(read.shots[i].view, replay.shots[i].view);
     ASSERT_EQ(read.shots[i].camera.has_value(), replay.shots[i].camera.has_value());
     if (read.shots[i].camera) expect_same(*read.shots[i].camera, *replay.shots[i].camera);
   }
