@@ -38,11 +38,14 @@ void Recorder::discard() {
   *this = Recorder();
 }
 
-size_t Recorder::state_of(const Stage& stage) {
-  State now{.scene = stage.scene(), .text = scene_text(stage.scene()), .effects = {}};
+size_t Recorder::state_of(const Workspace& workspace) {
+  const Stage& stage = workspace.stage();
+  State now{.scene = stage.played(), .text = scene_text(stage.played()), .effects = {}};
+  if (stage.remembers()) now.beginning = workspace.scene_version();
   for (const auto& [name, effect] : stage.effects()) now.effects[name] = effect.text;
   const auto same = std::ranges::find_if(states_, [&](const State& state) {
-    return state.scene.id == now.scene.id && state.text == now.text && state.effects == now.effects;
+    return state.scene.id == now.scene.id && state.text == now.text && state.effects == now.effects &&
+           state.beginning == now.beginning;
   });
   if (same != states_.end()) return size_t(same - states_.begin());
   states_.push_back(std::move(now));
@@ -61,7 +64,7 @@ size_t Recorder::method_of(MethodInstance& instance) {
 
 void Recorder::note(Workspace& workspace) {
   if (!recording_) return;
-  const size_t state = state_of(workspace.stage());
+  const size_t state = state_of(workspace);
   std::vector<Shot> seen;
   for (Side* side : {&workspace.a, &workspace.b}) {
     if (!workspace.shows(*side) || !side->targets) continue;
@@ -70,6 +73,7 @@ void Recorder::note(Workspace& workspace) {
     shot.method = method_of(side->method());
     shot.size = side->targets->size;
     if (workspace.has_own_camera()) shot.camera = workspace.camera();
+    if (side->view.shown) shot.view = side->view;
     seen.push_back(std::move(shot));
     if (seen.back().camera) seen.back().camera->tick = 0;
   }
@@ -77,7 +81,8 @@ void Recorder::note(Workspace& workspace) {
   const auto repeats = [&](size_t i) {
     const Shot &now = seen[i], &then = replay_.shots[before - seen.size() + i];
     return state_of_shot_[before - seen.size() + i] == state && now.tick == then.tick &&
-           now.method == then.method && now.size == then.size && is_same(now.camera, then.camera);
+           now.method == then.method && now.size == then.size && is_same(now.camera, then.camera) &&
+           now.view == then.view;
   };
   bool is_new = before < seen.size();
   for (size_t i = 0; i < seen.size() && !is_new; ++i) is_new = !repeats(i);
@@ -104,7 +109,9 @@ void Recorder::save(const fs::path& file, const PresetLibrary& library) {
   folder.replace_extension();
   std::vector<std::string> names;
   for (size_t i = 0; i < states_.size(); ++i) {
-    if (library_has(states_[i], library)) {
+    // A replay begins a scene anew where the name is another.
+    const bool is_first = std::ranges::find(names, states_[i].scene.id) == names.end();
+    if (is_first && library_has(states_[i], library)) {
       names.push_back(states_[i].scene.id);
       continue;
     }

@@ -1,6 +1,8 @@
 // Takes down what is drawn, picture after picture, as a replay: the tick, the camera, the method with all of
-// its parameters, the scene as it was then. `plume replay` draws the same pictures from it, to the bit on the
-// same device. Presets that were other than the library's while they were shown go into a folder beside it.
+// its parameters, the view that was looked at, the scene as it was then, with what was muted and frozen.
+// `plume replay` draws the same pictures from it, to the bit on the same device. Presets that were other than
+// the library's while they were shown go into a folder beside it. Both sides of a split view are pictures of
+// their own; the divider, the panels and the crosshair are not taken down.
 #ifndef PLUME_WORKSPACE_RECORDER_H
 #define PLUME_WORKSPACE_RECORDER_H
 
@@ -32,8 +34,9 @@ class Recorder {
     Scene scene;
     std::string text;
     std::map<std::string, std::string> effects;  // what the scene calls it -> its text
+    uint64_t beginning = 0;  // of a scene that remembers what was looked at: two are two, alike or not
   };
-  size_t state_of(const Stage& stage);
+  size_t state_of(const Workspace& workspace);
   size_t method_of(MethodInstance& instance);
   static bool library_has(const State& state, const PresetLibrary& library);
 

@@ -85,6 +85,7 @@ bool Recording::advance(Workspace& workspace) {
       video_.reset();
     } else if (sequence_) {
       sequence_->advance();
+      recorder_.note(workspace);
       drew = true;
       if (!sequence_->is_done()) return;
       const SequenceOptions options = sequence_->options();

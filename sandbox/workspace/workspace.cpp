@@ -114,6 +114,7 @@ bool Workspace::drop_effect(const std::string& effect, Side& side, glm::vec2 pla
                         .position = *surface,
                         .seed = uint32_t(scene().instances.size())},
                        edits());
+  ++scene_version_;
   applied_ = wanted_edits();
   open_documents();
   change();

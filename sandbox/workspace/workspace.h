@@ -93,6 +93,8 @@ class Workspace {
   const std::optional<Targets>& shown() const { return shows(a) ? a.targets : b.targets; }
   /// How many different pictures have been drawn: the same number, the same picture.
   uint64_t picture() const { return picture_; }
+  /// Counts scenes, their changes and edits: the same number, the same stage since.
+  uint64_t scene_version() const { return scene_version_; }
   /// Wall time of the last drawing.
   double frame_ms() const { return frame_ms_; }
 
