@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "sandbox/debugger/depth_graph.h"
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 #include "sandbox/measure/pixel_probe_text.h"
 
@@ -19,6 +20,7 @@ void pick_others(Interface& interface) {
   Workspace& workspace = interface.workspace;
   std::vector<std::string> others = interface.crosshair.others();
   if (ImGui::Button("curves...")) ImGui::OpenPopup("curves");
+  name_widget("curves");
   tooltip(
       "More methods beside those that are shown, with the settings they have on side A. Each is drawn once "
       "for "
@@ -29,7 +31,9 @@ void pick_others(Interface& interface) {
     const std::string id(instance.method->id());
     const auto chosen = std::ranges::find(others, id);
     bool wanted = chosen != others.end();
-    if (!ImGui::Checkbox(id.c_str(), &wanted)) continue;
+    const bool toggled = ImGui::Checkbox(id.c_str(), &wanted);
+    name_widget(fmt::format("curve {} = {}", id, wanted));
+    if (!toggled) continue;
     changed = true;
     if (wanted)
       others.push_back(id);
@@ -171,6 +175,11 @@ void pick_weights(const PixelProbe& probe, size_t& chosen) {
   ImGui::EndCombo();
 }
 
+std::string told_of(const PixelProbe& probe) {
+  return fmt::format("{} fragments at {},{} of {}x{}", probe.fragments.size(), probe.pixel.x, probe.pixel.y,
+                     probe.size.x, probe.size.y);
+}
+
 }  // namespace
 
 void crosshair_panel(Interface& interface) {
@@ -181,6 +190,8 @@ void crosshair_panel(Interface& interface) {
   const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
   const float graph_width = kGraphShare * room.x;
   draw_depth_graph(probe, view.graph, {{corner.x, corner.y}, {graph_width, room.y}});
+  name_place("graph = " + (state_of(interface).empty() ? told_of(probe) : "waits"), {corner.x, corner.y},
+             {graph_width, room.y});
   ImGui::SetCursorScreenPos({corner.x + graph_width, corner.y});
   ImGui::BeginChild("table", {0, 0});
   pick_weights(probe, view.weights_of);

@@ -43,12 +43,13 @@ void select(EffectSelection& selection, const Instance& instance, size_t index,
 // ---- who is there ----------------------------------------------------------------------------------------
 
 /// A letter that is large and framed while it is on.
-bool switch_button(const char* off, const char* on, bool is_on, const char* help) {
+bool switch_button(const char* off, const char* on, bool is_on, const char* help, const std::string& name) {
   if (!is_on) ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, is_on ? 1.0f : 0.0f);
   const bool pressed = ImGui::SmallButton(is_on ? on : off);
   ImGui::PopStyleVar();
   if (!is_on) ImGui::PopStyleColor();
+  name_widget(fmt::format("{} = {}", name, is_on));
   tooltip(help);
   return pressed;
 }
@@ -59,12 +60,14 @@ void flip(std::set<size_t>& set, size_t member) {
 
 void switches_of(Workspace& workspace, size_t instance) {
   InstanceSwitches& switches = workspace.switches;
+  const std::string& name = workspace.scene().instances[instance].name;
   if (switch_button("s", "S", switches.solo.contains(instance),
-                    "Solo: only this one, and others that are solo, as if nothing else were called."))
+                    "Solo: only this one, and others that are solo, as if nothing else were called.",
+                    "solo " + name))
     flip(switches.solo, instance);
   ImGui::SameLine(0, 2);
   if (switch_button("m", "M", switches.muted.contains(instance),
-                    "Mute: as if the scene did not call it; it is not simulated."))
+                    "Mute: as if the scene did not call it; it is not simulated.", "mute " + name))
     flip(switches.muted, instance);
   ImGui::SameLine(0, 2);
   const auto frozen = switches.frozen.find(instance);
@@ -72,7 +75,7 @@ void switches_of(Workspace& workspace, size_t instance) {
       frozen == switches.frozen.end()
           ? "Freeze: its time stands still from this tick on."
           : fmt::format("Frozen: its time stands still from tick {} of the scene on.", frozen->second);
-  if (switch_button("f", "F", frozen != switches.frozen.end(), help.c_str())) {
+  if (switch_button("f", "F", frozen != switches.frozen.end(), help.c_str(), "freeze " + name)) {
     if (frozen == switches.frozen.end())
       switches.frozen[instance] = workspace.playback.tick();
     else
@@ -180,6 +183,7 @@ void instance_row(Interface& interface, size_t index, const InstanceDemand& dema
 
 void hierarchy(Interface& interface) {
   const Stage& stage = interface.workspace.stage();
+  if (stage.scene().instances.empty()) return note("This scene has no effects.");
   const std::vector<InstanceDemand> demand = stage.demand();
   const InstanceDemand sum = total(demand);
   const auto awake = std::ranges::count(demand, true, &InstanceDemand::awake);
@@ -263,6 +267,7 @@ void warning(const std::string& words) {
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 190, 120, 255));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.c_str());
+  name_widget("warning = " + words);
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::Unindent(0.6f * ImGui::GetFontSize());

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 
 namespace plume {
@@ -35,24 +36,35 @@ class ParameterWidgets : public ParameterVisitor {
   }
   void integer(std::string_view name, int& value, const NumberInfo& info) override {
     const std::string format = number_format("%d", info.unit);
-    changed_ |= ImGui::SliderInt(std::string(name).c_str(), &value, int(info.min), int(info.max),
-                                 format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    const int low = int(info.min), high = int(info.max);
+    // A slider has a pixel for each value, or nearly; ImGui's takes half of all integers at most.
+    const bool many = info.max - info.min > 1e5;
+    changed_ |= many ? ImGui::DragInt(std::string(name).c_str(), &value, 1, low, high, format.c_str(),
+                                      ImGuiSliderFlags_AlwaysClamp)
+                     : ImGui::SliderInt(std::string(name).c_str(), &value, low, high, format.c_str(),
+                                        ImGuiSliderFlags_AlwaysClamp);
     tooltip(help_of(info));
   }
   void toggle(std::string_view name, bool& value, std::string_view help) override {
     changed_ |= ImGui::Checkbox(std::string(name).c_str(), &value);
+    name_widget(fmt::format("parameter {} = {}", name, value));
     tooltip(help);
   }
   void choice(std::string_view name, int& value, std::span<const std::string_view> options,
               std::string_view help) override {
     const bool open =
         ImGui::BeginCombo(std::string(name).c_str(), std::string(options[size_t(value)]).c_str());
-    if (!open) return tooltip(help);
-    for (int i = 0; i < int(options.size()); ++i)
+    if (!open) {
+      name_widget(fmt::format("parameter {} = {}", name, options[size_t(value)]));
+      return tooltip(help);
+    }
+    for (int i = 0; i < int(options.size()); ++i) {
       if (ImGui::Selectable(std::string(options[size_t(i)]).c_str(), i == value) && i != value) {
         value = i;
         changed_ = true;
       }
+      name_widget(fmt::format("parameter {}: {}", name, options[size_t(i)]));
+    }
     ImGui::EndCombo();
   }
   bool changed() const { return changed_; }
@@ -71,13 +83,17 @@ std::string about(const Method& method) {
 void pick_method(Workspace& workspace, Side& side) {
   ImGui::SetNextItemWidth(-1);
   const bool open = ImGui::BeginCombo("##method", side.method().owner.c_str(), ImGuiComboFlags_HeightLargest);
-  if (!open) return tooltip(about(*side.method().method));
+  if (!open) {
+    name_widget("method = " + side.method().owner);
+    return tooltip(about(*side.method().method));
+  }
   for (size_t i = 0; i < side.methods.size(); ++i) {
     const Method& method = *side.methods[i].method;
     const auto missing = method.missing(workspace.device());
     const auto flags = missing.empty() ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
     if (ImGui::Selectable(side.methods[i].owner.c_str(), i == side.current, flags))
       workspace.choose_method(side, i);
+    name_widget("method: " + side.methods[i].owner + (missing.empty() ? "" : " (unavailable)"));
     tooltip(missing.empty() ? about(method) : fmt::format("unavailable: needs {}", fmt::join(missing, ", ")));
   }
   ImGui::EndCombo();
@@ -107,6 +123,7 @@ void pick_comparison(Workspace& workspace) {
   }};
   for (const auto& [name, comparison, help] : kChoices) {
     if (ImGui::RadioButton(name, workspace.comparison() == comparison)) workspace.compare(comparison);
+    name_widget(fmt::format("comparison {} = {}", name, workspace.comparison() == comparison));
     tooltip(help);
     ImGui::SameLine();
   }

@@ -45,13 +45,16 @@ void describe_dock(const char* name, Dock dock, Area area, Interface& interface)
   ImGui::SetNextWindowPos({area.corner.x, area.corner.y});
   ImGui::SetNextWindowSize({area.size.x, area.size.y});
   if (ImGui::Begin(name, nullptr, kDocked))
-    for (const Panel& panel : kPanels)
-      if (panel.dock == dock && ImGui::CollapsingHeader(panel.title, ImGuiTreeNodeFlags_DefaultOpen)) {
-        ImGui::PushID(panel.title);
-        panel.describe(interface);
-        ImGui::PopID();
-        ImGui::Spacing();
-      }
+    for (const Panel& panel : kPanels) {
+      if (panel.dock != dock) continue;
+      const bool open = ImGui::CollapsingHeader(panel.title, ImGuiTreeNodeFlags_DefaultOpen);
+      name_widget(panel.title);
+      if (!open) continue;
+      ImGui::PushID(panel.title);
+      panel.describe(interface);
+      ImGui::PopID();
+      ImGui::Spacing();
+    }
   ImGui::End();
 }
 
@@ -69,6 +72,7 @@ void describe_problem(Interface& interface, Area picture) {
     ImGui::TextUnformatted(problem.c_str());
     ImGui::PopTextWrapPos();
     if (ImGui::Button("OK")) open = false;
+    name_widget("problem = " + problem);
     ImGui::SameLine();
     if (ImGui::Button("Copy")) ImGui::SetClipboardText(problem.c_str());
   }
@@ -109,6 +113,14 @@ Area describe_panels(Interface& interface) {
   ask_about_files(interface);
   describe_problem(interface, picture);
   describe_keys(interface);
+  const Workspace& workspace = interface.workspace;
+  name_place("picture = " + (workspace.is_outdated() ? "outdated" : std::to_string(workspace.picture())),
+             picture.corner, picture.size);
+  const Recorder& recorder = interface.recording.recorder();
+  name_place("record = " + (recorder.is_recording() ? std::to_string(recorder.shots()) : "off"), {0, 0},
+             {0, 0});
+  name_place(ImGui::GetIO().WantTextInput ? "window = types" : "window = listens", {0, 0},
+             {window.x, window.y});
   write_widget_places();
   return picture;
 }

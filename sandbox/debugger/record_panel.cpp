@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 
 #include "sandbox/debugger/widgets.h"
@@ -20,7 +19,7 @@ std::string size_name(glm::uvec2 size) {
 
 /// What is chosen for the next pictures of a range.
 struct Choice {
-  int first = 0, last = INT32_MAX, step = 1;
+  int first = 0, last = 0, step = 1, end = -1;  ///< the last tick of the scene that they were chosen for
   glm::uvec2 size = kSizes[1];
 };
 
@@ -35,8 +34,11 @@ void record(Interface& interface) {
   if (ImGui::Button(recorder.is_recording() ? "stop and save" : "record"))
     recording.toggle(interface.workspace);
   tooltip(
-      "Takes down every picture that is drawn, with its camera, method, parameters, scene and effects, as a "
-      "replay: `plume replay` draws the same pictures again, to the bit (Ctrl+R).");
+      "Takes down every picture that is drawn, with its camera, method, parameters, view, scene, effects, "
+      "and "
+      "what is muted or frozen, as a replay: `plume replay` draws the same pictures again, to the bit "
+      "(Ctrl+R). Of a split view, both sides as a picture each. Not taken down: the divider, the panels and "
+      "the crosshair, which change no picture.");
   ImGui::SameLine();
   if (ImGui::Button("picture")) recording.save_picture(interface.workspace);
   tooltip("Saves what is seen, without the panels, as PNG (F12).");
@@ -45,8 +47,7 @@ void record(Interface& interface) {
 
 void choose_range(const Workspace& workspace, Choice& choice) {
   const int end = int(workspace.playback.last_tick());
-  choice.last = std::min(choice.last, end);
-  choice.first = std::min(choice.first, choice.last);
+  if (choice.end != end) choice.first = 0, choice.last = choice.end = end;
   ImGui::SetNextItemWidth(-4 * ImGui::GetFontSize());
   ImGui::DragIntRange2("ticks", &choice.first, &choice.last, 1, 0, end, "from %d", "to %d",
                        ImGuiSliderFlags_AlwaysClamp);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 
 namespace plume {
@@ -9,9 +10,12 @@ namespace {
 
 void pick_scene(Workspace& workspace, const std::vector<std::string>& recent) {
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##scene", workspace.scene().id.c_str(), ImGuiComboFlags_HeightLargest)) return;
+  const bool open = ImGui::BeginCombo("##scene", workspace.scene().id.c_str(), ImGuiComboFlags_HeightLargest);
+  if (!open) return name_widget("scene = " + workspace.scene().id);
   const auto offer = [&](const std::string& name) {
-    if (!ImGui::Selectable(name.c_str(), name == workspace.scene().id)) return;
+    const bool chosen = ImGui::Selectable(name.c_str(), name == workspace.scene().id);
+    name_widget("scene: " + name);
+    if (!chosen) return;
     try {
       workspace.open_scene(name);
     } catch (const std::exception& problem) {

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 
 namespace plume {
@@ -28,6 +29,7 @@ void transport(Workspace& workspace) {
   const float line = ImGui::GetFontSize();
   const uint32_t before = playback.tick();
   if (ImGui::Button(playback.playing() ? "pause" : "play", {4 * line, 0})) playback.toggle();
+  name_widget(playback.playing() ? "play = playing" : "play = paused");
   tooltip("Space");
   ImGui::SameLine();
   if (ImGui::Button("<")) playback.step_back();
@@ -46,6 +48,7 @@ void transport(Workspace& workspace) {
   if (ImGui::SliderInt("##tick", &tick, 0, int(playback.last_tick()), format.c_str(),
                        ImGuiSliderFlags_AlwaysClamp))
     playback.go_to(uint32_t(tick));
+  name_widget(fmt::format("tick = {}", playback.tick()));
   tooltip(
       "Any tick is reached exactly, by the closed form of births and a seek: drag, or Ctrl+click to type.");
   if (playback.tick() != before) workspace.change();
@@ -55,6 +58,7 @@ void quality(Interface& interface) {
   Workspace& workspace = interface.workspace;
   ResolutionControl& control = workspace.resolution;
   if (ImGui::Checkbox("hold", &control.adapts)) workspace.change();
+  name_widget(fmt::format("hold = {}", control.adapts));
   tooltip("Draws coarser while things move, as far as this rate needs (R).");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7);
@@ -64,13 +68,18 @@ void quality(Interface& interface) {
   ImGui::SameLine();
   ImGui::BeginDisabled(control.adapts);
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
-  if (ImGui::BeginCombo("resolution", fmt::format("{:g} %", 100 * control.scale()).c_str())) {
-    for (size_t step = 0; step < ResolutionControl::kScales.size(); ++step)
-      if (ImGui::Selectable(fmt::format("{:g} %", 100 * ResolutionControl::kScales[step]).c_str(),
-                            step == control.step())) {
+  const auto percent = [](double scale) { return fmt::format("{:g} %", 100 * scale); };
+  if (!ImGui::BeginCombo("resolution", percent(control.scale()).c_str())) {
+    name_widget("resolution = " + percent(control.scale()));
+  } else {
+    for (size_t step = 0; step < ResolutionControl::kScales.size(); ++step) {
+      const std::string name = percent(ResolutionControl::kScales[step]);
+      if (ImGui::Selectable(name.c_str(), step == control.step())) {
         control.set_step(step);
         workspace.change();
       }
+      name_widget("resolution: " + name);
+    }
     ImGui::EndCombo();
   }
   ImGui::EndDisabled();

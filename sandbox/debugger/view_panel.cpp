@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 #include "sandbox/measure/magma.h"
 
@@ -22,6 +23,7 @@ void pick_view(Workspace& workspace, Side& side) {
   ImGui::SetNextItemWidth(-1);
   const bool open = ImGui::BeginCombo("##view", name.c_str(), ImGuiComboFlags_HeightLargest);
   if (!open) {
+    name_widget("view = " + (chosen ? view.id : "picture"));
     tooltip(chosen    ? chosen->help
             : missing ? side.method().owner + " as it is set has no such view: its picture is shown."
                       : "What the method draws.");
@@ -31,11 +33,13 @@ void pick_view(Workspace& workspace, Side& side) {
     view.id.clear();
     workspace.change();
   }
+  name_widget("view: picture");
   for (const Inspection& one : Inspector::inspections(*side.method().method)) {
     if (ImGui::Selectable(one.title.c_str(), one.id == view.id)) {
       view.choose(one);
       workspace.change();
     }
+    name_widget("view: " + one.id);
     tooltip(one.help);
   }
   ImGui::EndCombo();

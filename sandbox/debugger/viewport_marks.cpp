@@ -1,5 +1,6 @@
 #include "sandbox/debugger/viewport_marks.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <cmath>
@@ -26,10 +27,14 @@ void mark_viewport(Interface& interface, Area picture) {
   const float gap = 0.5f * ImGui::GetFontSize(), top = picture.corner.y + gap;
   const float left = picture.corner.x, right = left + picture.size.x;
   const auto name = [](const char* side, Side& of) {
-    return side + of.method().owner + (of.view.shown ? ", " + of.view.shown->what.title : "");
+    return side + std::string(of.method().method->id()) +
+           (of.view.shown ? ", " + of.view.shown->what.title : "");
   };
   if (workspace.shows(workspace.a)) label(draw, {left + gap, top}, name("A: ", workspace.a), false);
   if (workspace.shows(workspace.b)) label(draw, {right - gap, top}, name("B: ", workspace.b), true);
+  if (const Recorder& recorder = interface.recording.recorder(); recorder.is_recording())
+    label(draw, {left + gap, top + 1.8f * ImGui::GetFontSize()},
+          fmt::format("RECORDING, {} pictures (Ctrl+R: stop and save)", recorder.shots()), false);
   if (workspace.comparison() != Comparison::kSplit) return;
   const float x = std::round(left + workspace.divider * picture.size.x) + 0.5f;
   const float bottom = picture.corner.y + picture.size.y, middle = picture.corner.y + 0.5f * picture.size.y;
