@@ -115,13 +115,14 @@ ImU32 color_of(float share) {
 void draw_legend(ImDrawList& draw, const SideView& view, Area area) {
   constexpr int kSteps = 48, kNumbers = 5;
   const float line = ImGui::GetFontSize(), margin = 0.5f * line;
-  const float width = std::min(22 * line, area.size.x - 4 * margin), height = 4.1f * line;
-  if (width < 8 * line || area.size.y < 2 * height) return;
-  const ImVec2 from{area.corner.x + margin, area.corner.y + area.size.y - margin - height};
-  draw.AddRectFilled(from, {from.x + width + 2 * margin, from.y + height}, kGround, 0.5f * margin);
   const Inspection& what = view.shown->what;
   const std::string title = fmt::format("{} [{}]{}", what.title, what.unit,
                                         what.slices > 0 ? fmt::format(", slice {}", view.shown->slice) : "");
+  const float wanted = std::max(22 * line, ImGui::CalcTextSize(title.c_str()).x);
+  const float width = std::min(wanted, area.size.x - 4 * margin), height = 4.1f * line;
+  if (width < 8 * line || area.size.y < 2 * height) return;
+  const ImVec2 from{area.corner.x + margin, area.corner.y + area.size.y - margin - height};
+  draw.AddRectFilled(from, {from.x + width + 2 * margin, from.y + height}, kGround, 0.5f * margin);
   draw.AddText({from.x + margin, from.y + 0.25f * line}, kInk, title.c_str());
   const float left = from.x + margin, top = from.y + 1.5f * line, bottom = top + 0.9f * line;
   for (int i = 0; i < kSteps; ++i) {
