@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/: installs what is missing, builds, renders, puts captions on. Arguments are the names of pictures; otherwise all
-# of them are made. Every scene is shown at its default tick by the exact reference; every effect on a stage of its own, beside a person 1.78 m
-# tall for scale. On two cores without a GPU all of it takes about ten minutes.
+# Draws the pictures of docs/, and those of presets/pictures/, by which the window's user picks scenes and effects: installs what is missing,
+# builds, renders, puts captions on. Arguments are the names of pictures; otherwise all of them are made. Every scene is shown at its default
+# tick by the exact reference; every effect on a stage of its own, beside a person 1.78 m tall for scale. On two cores without a GPU all of it
+# takes about ten minutes.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-pictures=(gallery_scenes gallery_effects fireball_layers street methods all_methods known_failures dolly)
+pictures=(gallery_scenes gallery_effects preset_pictures fireball_layers street methods all_methods known_failures dolly)
 [ $# -gt 0 ] || set -- "${pictures[@]}"
 for picture; do
   [[ " ${pictures[*]} " == *" $picture "* ]] || { echo "no picture \`$picture\`, expected one of: ${pictures[*]}" >&2; exit 2; }
@@ -53,10 +54,15 @@ sheet() {
 
 ids() { build/plume list "$1" --json | grep -oP '^ {4}"id": "\K[^"]+'; }
 
-draw_gallery_scenes() {
-  local scenes
+# Once a run, for the gallery and for the small pictures.
+render_scenes() {
+  [ -z "${scenes+rendered}" ] || return 0
   mapfile -t scenes < <(ids scenes)
   render scenes compare "${scenes[@]}" --methods reference --frames 1 --size 640x360
+}
+
+draw_gallery_scenes() {
+  render_scenes
   for scene in "${scenes[@]}"; do tile "$work/scenes/${scene}"_[0-9]*_reference.png "$scene" 400x225; done
   sheet gallery_scenes.jpg 4
 }
@@ -77,8 +83,8 @@ instance = [{ effect = "$1", call_tick = 0, position = [0.0, $6, 0.0], yaw_deg =
 END
 }
 
-draw_gallery_effects() {
-  local effects
+render_effects() {
+  [ -z "${effects+rendered}" ] || return 0
   mapfile -t effects < <(ids effects)
   mkdir -p "$work/stages"
   local stages=()
@@ -88,8 +94,28 @@ draw_gallery_effects() {
     stage "$effect" ${view[$effect]:-$any_view} >"${stages[-1]}"
   done
   render effects compare "${stages[@]}" --methods reference --frames 1 --size 640x360
+}
+
+draw_gallery_effects() {
+  render_effects
   for effect in "${effects[@]}"; do tile "$work/effects/${effect}"_[0-9]*_reference.png "$effect" 400x225; done
   sheet gallery_effects.jpg 4
+}
+
+# small KIND ID: presets/pictures/KIND/ID.png, of the size that the window expects (sandbox/presets/library.h).
+small() {
+  convert "$work/$1/$2"_[0-9]*_reference.png -resize '160x90!' -dither FloydSteinberg -colors 128 -strip \
+    -define png:compression-level=9 "PNG8:presets/pictures/$1/$2.png"
+}
+
+draw_preset_pictures() {
+  render_scenes
+  render_effects
+  rm -rf presets/pictures
+  mkdir -p presets/pictures/scenes presets/pictures/effects
+  for scene in "${scenes[@]}"; do small scenes "$scene"; done
+  for effect in "${effects[@]}"; do small effects "$effect"; done
+  echo "presets/pictures: $(cat presets/pictures/*/*.png | wc -c) bytes" >&2
 }
 
 draw_fireball_layers() {

@@ -68,6 +68,14 @@ fs::path PresetLibrary::find(PresetKind kind, std::string_view name) const {
   throw PresetError(fmt::format("unknown {} `{}`, {}", traits(kind).word, name, suggestion(name, known)));
 }
 
+std::optional<fs::path> PresetLibrary::picture(PresetKind kind, std::string_view name) const try {
+  fs::path picture = picture_path(kind, find(kind, name));
+  std::error_code unreadable;
+  return fs::exists(picture, unreadable) ? std::optional(std::move(picture)) : std::nullopt;
+} catch (const PresetError&) {
+  return std::nullopt;
+}
+
 Effect PresetLibrary::effect(std::string_view name) const {
   const fs::path path = find(PresetKind::kEffect, name);
   return effect_text(load_text(path), path.string());
@@ -89,6 +97,11 @@ Scene PresetLibrary::scene(std::string_view name) const {
 }
 Replay PresetLibrary::replay(std::string_view name) const {
   return read_replay(find(PresetKind::kReplay, name));
+}
+
+fs::path picture_path(PresetKind kind, const fs::path& preset) {
+  return preset.parent_path().parent_path() / "pictures" / traits(kind).folder /
+         fs::path(preset.stem()).concat(".png");
 }
 
 fs::path preset_root() {

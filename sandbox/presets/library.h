@@ -4,6 +4,7 @@
 #define PLUME_PRESETS_LIBRARY_H
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@
 #include "sandbox/scene/scene.h"
 
 namespace plume {
+
+/// Of the small pictures that presets are picked by.
+constexpr glm::uvec2 kPictureSize{160, 90};
 
 enum class PresetKind { kEffect, kScene, kReplay, kMesh };
 
@@ -38,6 +42,10 @@ class PresetLibrary {
   /// PresetError when there is none.
   std::filesystem::path find(PresetKind kind, std::string_view name) const;
 
+  /// The small picture of an effect or a scene: kPictureSize pixels, in pictures/effects/ or pictures/scenes/
+  /// beside the folder that its file is in. Nothing: there is none, or no such preset.
+  std::optional<std::filesystem::path> picture(PresetKind kind, std::string_view name) const;
+
   /// Find and read; throw PresetError or FileErrors.
   Effect effect(std::string_view name) const;  ///< with the meshes it names
   /// The same from text; `file` names it in messages and gives the id.
@@ -51,6 +59,9 @@ class PresetLibrary {
 
   std::filesystem::path root_, nearer_;
 };
+
+/// Where the picture of the preset in a file is, or would be.
+std::filesystem::path picture_path(PresetKind kind, const std::filesystem::path& preset);
 
 /// The folder of the presets: $PLUME_PRESETS, else ../presets beside the program, else that of the source
 /// tree it was built from. Throws PresetError that names every place tried; a PLUME_PRESETS that is no folder
