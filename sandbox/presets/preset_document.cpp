@@ -81,7 +81,11 @@ PresetDocument::Outcome PresetDocument::edit(std::string_view path, std::string 
   // Where the text is no TOML, nothing can be found in it.
   if (fields_.empty()) return {false, diagnostics_};
   const auto see = [&](const std::string& text) { return describe(text); };
-  std::string text = with_consequences(change(parse_path(path)), path, fields_, see);
+  return step_to(with_consequences(change(parse_path(path)), path, fields_, see), std::move(name), gesture);
+}
+
+PresetDocument::Outcome PresetDocument::step_to(std::string text, std::string name,
+                                                std::string_view gesture) {
   if (text == history_.text()) return {true, {}};
   std::vector<Diagnostic> mistakes;
   std::optional<std::variant<Effect, Scene>> read_back;
@@ -125,6 +129,12 @@ PresetDocument::Outcome PresetDocument::remove(std::string_view path) {
               [&](const std::vector<Step>& steps) { return without(text(), steps); });
 }
 
+PresetDocument::Outcome PresetDocument::change(const std::string& name,
+                                               const std::function<std::string(const std::string&)>& how) {
+  if (fields_.empty()) return {false, diagnostics_};
+  return step_to(how(text()), name, "");
+}
+
 void PresetDocument::replace_text(std::string text, std::string name) {
   history_.step(std::move(text), std::move(name));
   refresh();
@@ -158,6 +168,17 @@ void PresetDocument::save(OverChanges over) {
   replace_file(path_, {reinterpret_cast<const uint8_t*>(now.data()), now.size()});
   on_disk_ = text();
   watch_.know(on_disk_);
+}
+
+void PresetDocument::save_as(const std::filesystem::path& path) {
+  if (std::filesystem::exists(path))
+    throw std::invalid_argument(fmt::format("{} is there already, expected a new name", path.string()));
+  std::filesystem::create_directories(path.parent_path());
+  replace_file(path, {reinterpret_cast<const uint8_t*>(text().data()), text().size()});
+  path_ = path;
+  on_disk_ = text();
+  watch_ = FileWatch(path_, on_disk_);
+  refresh();  // which names the file
 }
 
 PresetDocument::Disk PresetDocument::poll() {

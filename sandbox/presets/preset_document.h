@@ -6,6 +6,7 @@
 #define PLUME_PRESETS_PRESET_DOCUMENT_H
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -62,6 +63,8 @@ class PresetDocument {
   Outcome add(std::string_view path);
   /// A field, a table or an item of a list: then the default holds.
   Outcome remove(std::string_view path);
+  /// Any change of the text, as one step of undo called `name`. Likewise refused.
+  Outcome change(const std::string& name, const std::function<std::string(const std::string&)>& how);
   /// Any text, with mistakes too.
   void replace_text(std::string text, std::string name);
   void end_gesture() { history_.end_gesture(); }
@@ -70,6 +73,9 @@ class PresetDocument {
   bool redo();
   std::string_view undo_name() const { return history_.undo_name(); }
   std::string_view redo_name() const { return history_.redo_name(); }
+  /// See TextHistory.
+  uint64_t undo_order() const { return history_.undo_order(); }
+  uint64_t redo_order() const { return history_.redo_order(); }
 
   /// Whether there is something to save.
   bool is_changed() const { return text() != on_disk_; }
@@ -77,6 +83,9 @@ class PresetDocument {
   /// Throws ChangedOnDisk when the file is not as it was read or saved last, FileError when it cannot be
   /// written.
   void save(OverChanges over = OverChanges::kRefuse);
+  /// Writes another file, and is the document of that from now on. Throws FileError, and
+  /// std::invalid_argument when the file is there already.
+  void save_as(const std::filesystem::path& path);
 
   /// kReloaded: it was changed by another program and read again, one step of undo; diagnostics() has its
   /// mistakes. kConflict: the same, but there is something to save: save(kOverwrite) or reload() decides.
@@ -90,6 +99,7 @@ class PresetDocument {
   Outcome edit(std::string_view path, std::string name, std::string_view gesture, const Change& change);
   std::vector<Field> describe(const std::string& text) const;
   std::variant<Effect, Scene> read(const std::string& text) const;
+  Outcome step_to(std::string text, std::string name, std::string_view gesture);
   void refresh();
   std::string title(std::string_view path) const;
 

@@ -302,6 +302,7 @@ void read_top(TableReader& top, Scene& scene) {
 Scene read_scene_text(std::string_view text, const std::string& file) {
   Scene scene;
   scene.id = preset_id(file);
+  scene.file = file;
   read_document(text, file, [&](TableReader& top) { read_top(top, scene); });
   return scene;
 }

@@ -1,9 +1,18 @@
 #include "sandbox/presets/text_history.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace plume {
+namespace {
+
+uint64_t next_order() {
+  static std::atomic<uint64_t> steps = 0;
+  return ++steps;
+}
+
+}  // namespace
 
 TextHistory::TextHistory(std::string text, size_t most_bytes) : most_bytes_(most_bytes) {
   states_.push_back({std::move(text), ""});
@@ -17,6 +26,7 @@ void TextHistory::step(std::string text, std::string name, std::string_view gest
     states_[now_].text = std::move(text);
   else
     states_.push_back({std::move(text), std::move(name)}), ++now_;
+  states_[now_].order = next_order();
   open_gesture_ = gesture;
 
   size_t bytes = 0, first = states_.size();

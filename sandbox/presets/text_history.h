@@ -4,6 +4,7 @@
 #define PLUME_PRESETS_TEXT_HISTORY_H
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,10 @@ class TextHistory {
   std::string_view redo_name() const {
     return now_ + 1 < states_.size() ? std::string_view(states_[now_ + 1].name) : "";
   }
+  /// Which of all steps of all histories that is, counted from 1 as they are made; 0 when there is nothing to
+  /// do: the order in which several texts were worked on.
+  uint64_t undo_order() const { return now_ > 0 ? states_[now_].order : 0; }
+  uint64_t redo_order() const { return now_ + 1 < states_.size() ? states_[now_ + 1].order : 0; }
   /// Whether there was something to do.
   bool undo();
   bool redo();
@@ -35,6 +40,7 @@ class TextHistory {
  private:
   struct State {
     std::string text, name;  // the name of the step that led there
+    uint64_t order = 0;      // of that step
   };
   std::vector<State> states_;
   size_t now_ = 0, most_bytes_;

@@ -112,6 +112,7 @@ struct Instance {
 
 struct Scene {
   std::string id;
+  std::string file;  ///< that it was read from; "": none
   std::string name;
   std::string description;
   uint32_t seed = 1;

@@ -368,6 +368,24 @@ TEST(PresetDocument, SetsEveryShippedValueToItselfWithoutAStep) {
   }
 }
 
+TEST(TextHistory, TellsWhichOfTwoTextsWasWorkedOnLast) {
+  TextHistory a("a"), b("b");
+  EXPECT_EQ(a.undo_order(), 0u);
+  a.step("aa", "first");
+  b.step("bb", "second");
+  EXPECT_GT(b.undo_order(), a.undo_order());
+  a.step("aaa", "third", "drag");
+  b.step("bbb", "fourth");
+  a.step("aaaa", "fifth", "drag");
+  EXPECT_GT(a.undo_order(), b.undo_order()) << "a drag counts as long as it goes on";
+  const uint64_t last = a.undo_order();
+  ASSERT_TRUE(a.undo());
+  EXPECT_EQ(a.text(), "aa");
+  EXPECT_EQ(a.redo_order(), last);
+  EXPECT_GT(b.undo_order(), a.undo_order());
+  EXPECT_EQ(b.redo_order(), 0u);
+}
+
 TEST(TextHistory, ForgetsTheOldestBeyondItsSize) {
   TextHistory history("0", 10);
   for (int i = 1; i < 30; ++i) history.step(std::string(3, static_cast<char>('a' + i)), "step");
