@@ -37,7 +37,8 @@ bool edit_color(const char* id, glm::vec3& linear, const Limits& limits) {
     ImGui::OpenPopup("picker");
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width - height - gap);
-  bool changed = edit_numbers("numbers", {&linear.x, 3}, limits);
+  bool changed = edit_numbers("##numbers", {&linear.x, 3}, limits);
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // what the file does not say is dim, this is not
   if (ImGui::BeginPopup("picker")) {
     if (ImGui::ColorPicker3("##hue", &color.x, ImGuiColorEditFlags_NoSidePreview)) {
       const float largest = float(limits.max);
@@ -49,6 +50,7 @@ bool edit_color(const char* id, glm::vec3& linear, const Limits& limits) {
     }
     ImGui::EndPopup();
   }
+  ImGui::PopStyleVar();
   ImGui::PopID();
   return changed;
 }

@@ -12,20 +12,25 @@ namespace plume {
 /// Kept from one picture to the next: to read them waits for the device.
 struct SeenDepths {
   uint64_t picture = 0;  ///< see Workspace::picture()
-  size_t instance = 0;
+  std::string instance;
   std::vector<EmitterDepths> emitters;
 };
 
+/// An instance that the pointer has hold of.
+struct HeldInstance {
+  glm::vec3 place;
+  glm::vec2 off;  ///< of its mark from the pointer, screen coordinates
+};
+
 struct EffectSelection {
-  std::string name;               ///< as the scene calls it; empty: none
-  std::optional<size_t> emitter;  ///< nothing: the effect as a whole
-  size_t instance = 0;            ///< of the scene, that was clicked
-  bool only_set = false;          ///< hides fields that the file does not say
-  std::string refused;            ///< why the last edit was not made
-  std::string conflict;           ///< effect that was not saved because its file is another by now
-  std::string placing;            ///< effect that the next click in the picture drops there
+  std::string name;                  ///< as the scene calls it; empty: none
+  std::optional<size_t> emitter;     ///< nothing: the effect as a whole
+  std::string instance;              ///< of the scene, that was clicked; indices change as others come and go
+  bool only_set = false;             ///< hides fields that the file does not say
+  std::string refused;               ///< why the last edit was not made
+  std::string placing;               ///< effect that the next click in the picture drops there
+  std::optional<HeldInstance> held;  ///< the selected one is being moved
   SeenDepths depths;
-  bool closing = false;  ///< the window would close, but something is not saved
 };
 
 }  // namespace plume

@@ -1,7 +1,6 @@
 #include "sandbox/debugger/effects_panel.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,6 +8,9 @@
 
 #include "sandbox/debugger/depth_ruler.h"
 #include "sandbox/debugger/field_editor.h"
+#include "sandbox/debugger/file_questions.h"
+#include "sandbox/debugger/instance_marks.h"
+#include "sandbox/debugger/preset_picker.h"
 #include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 
@@ -17,8 +19,6 @@ namespace {
 
 constexpr float kTreeLines = 10;  // of the hierarchy, at most
 constexpr size_t kFew = 3;        // instances that need not be opened by hand
-constexpr const char* kConflict = "Save over another change?";
-constexpr const char* kUnsaved = "Effects are not saved";
 
 PresetDocument* document_of(Interface& interface) {
   const std::string& name = interface.effects.name;
@@ -32,11 +32,10 @@ PresetDocument* document_of(Interface& interface) {
   }
 }
 
-void select(EffectSelection& selection, const Instance& instance, size_t index,
-            std::optional<size_t> emitter) {
+void select(EffectSelection& selection, const Instance& instance, std::optional<size_t> emitter) {
   if (selection.name != instance.effect) selection.refused.clear();
   selection.name = instance.effect;
-  selection.instance = index;
+  selection.instance = instance.name;
   selection.emitter = emitter;
 }
 
@@ -123,12 +122,12 @@ void emitter_row(Interface& interface, size_t instance, uint32_t call, size_t in
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(int(index));
-  const bool selected = selection.instance == instance && selection.emitter == index;
+  const std::string& name = stage.scene().instances[instance].name;
+  const bool selected = selection.instance == name && selection.emitter == index;
   ImGui::Indent();
   if (ImGui::Selectable(instances.described(emitter).name.c_str(), selected))
-    select(selection, stage.scene().instances[instance], instance, index);
-  name_widget(
-      fmt::format("{} / {}", stage.scene().instances[instance].name, instances.described(emitter).name));
+    select(selection, stage.scene().instances[instance], index);
+  name_widget(fmt::format("{} / {}", name, instances.described(emitter).name));
   ImGui::Unindent();
   const Living living = living_of(emitter);
   cell(emitter.wanted ? fmt::format("{} of {}", living.alive, living.capacity) : "asleep");
@@ -144,15 +143,14 @@ void instance_row(Interface& interface, size_t index, const InstanceDemand& dema
   EffectSelection& selection = interface.effects;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  const bool selected =
-      selection.name == instance.effect && selection.instance == index && !selection.emitter;
+  const bool selected = selection.instance == instance.name && !selection.emitter;
   const auto flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_OpenOnDoubleClick |
                      ImGuiTreeNodeFlags_SpanAvailWidth |
                      (stage.scene().instances.size() <= kFew ? ImGuiTreeNodeFlags_DefaultOpen : 0) |
                      (selected ? ImGuiTreeNodeFlags_Selected : 0) | (call ? 0 : ImGuiTreeNodeFlags_Leaf);
   const bool open = ImGui::TreeNodeEx("instance", flags, "%s", instance.name.c_str());
   name_widget(instance.name);
-  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) select(selection, instance, index, {});
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) select(selection, instance, {});
   const auto local = call ? stage.simulation().instances().calls[*call].clock.local(workspace.playback.tick())
                           : std::nullopt;
   const auto cost = [&] {
@@ -215,16 +213,45 @@ void pick_effect_to_drop(Interface& interface) {
   std::string& placing = interface.effects.placing;
   if (!placing.empty()) {
     text(fmt::format("click in the picture: {} starts there", placing));
-    ImGui::SameLine();
-    if (ImGui::SmallButton("cancel")) placing.clear();
+    if (ImGui::Button("cancel (Esc)", {-1, 0})) placing.clear();
     return;
   }
-  ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##drop", "+ drop an effect into the scene", ImGuiComboFlags_HeightLargest))
-    return tooltip("Choose an effect, then click in the picture: it starts there, at this tick.");
-  for (const std::string& id : interface.workspace.library().ids(PresetKind::kEffect))
-    if (ImGui::Selectable(id.c_str())) placing = id;
-  ImGui::EndCombo();
+  if (ImGui::Button("+ drop an effect into the scene", {-1, 0})) ImGui::OpenPopup("effects");
+  name_widget("drop");
+  tooltip("Choose an effect, then click in the picture: it starts there, at this tick.");
+  if (const auto picked = pick_preset("effects", {.kind = PresetKind::kEffect}, interface.workspace.library(),
+                                      interface.gallery))
+    placing = *picked;
+}
+
+/// What the scene says of the instance: where and when.
+void edit_instance(Interface& interface) {
+  const auto index = selected_instance(interface);
+  PresetDocument* document = interface.workspace.scene_document();
+  if (!index || !document) return;
+  const bool open = ImGui::TreeNodeEx("in the scene", ImGuiTreeNodeFlags_AllowItemOverlap, "%s in the scene",
+                                      interface.effects.instance.c_str());
+  tooltip("Where it stands and when it starts: saved with the scene.");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("frame")) focus_or_frame(interface);
+  tooltip("Come near with the camera and turn about it. (F)");
+  ImGui::SameLine();
+  const bool removes = ImGui::SmallButton("remove");
+  name_widget("remove");
+  tooltip("Take it out of the scene; one step of undo. (Delete)");
+  if (open) {
+    constexpr std::array kFields{"position", "yaw_deg",    "call_tick", "stop_tick",
+                                 "seed",     "draw_order", "layers"};
+    std::vector<FieldEdit> edits;
+    const FieldList list{document->fields(), false, edits};
+    for (const char* name : kFields)
+      if (const Field* field = document->field(fmt::format("instance[{}].{}", *index, name)))
+        edit_field(list, *field);
+    interface.effects.refused = made(*document, edits, std::move(interface.effects.refused));
+    if (!ImGui::IsAnyItemActive() && !interface.effects.held) document->end_gesture();
+    ImGui::TreePop();
+  }
+  if (removes) remove_instance(interface);
 }
 
 // ---- what one of them is ---------------------------------------------------------------------------------
@@ -249,35 +276,22 @@ void revert(Interface& interface) {
 
 void commands(Interface& interface, const PresetDocument& document) {
   const auto on_disk = interface.workspace.documents.on_disk(interface.effects.name);
-  const bool differs = document.is_changed() || on_disk != EffectDocuments::OnDisk::kSame;
-  command_button("undo", document.undo_name(), "Ctrl+Z", interface, undo_edit);
-  command_button("redo", document.redo_name(), "Ctrl+Shift+Z", interface, redo_edit);
+  const bool differs = document.is_changed() || on_disk != OpenDocuments::OnDisk::kSame;
+  const PresetDocument* undone = interface.workspace.to_undo(interface.effects.name);
+  const PresetDocument* redone = interface.workspace.to_redo(interface.effects.name);
+  command_button("undo", undone ? undone->undo_name() : "", "Ctrl+Z", interface, undo_edit);
+  command_button("redo", redone ? redone->redo_name() : "", "Ctrl+Shift+Z", interface, redo_edit);
   command_button("save", differs ? "Writes " + document.path().string() : "", "Ctrl+S", interface,
-                 save_effect);
+                 [](Interface& i) { save(i, i.workspace.documents, i.effects.name); });
   command_button("revert", differs ? "What is on disk, as one step of undo" : "", "one step of undo",
                  interface, revert);
   ImGui::Checkbox("only set", &interface.effects.only_set);
   tooltip("Hides fields that the file does not say; the others are written dim, with their default.");
 }
 
-/// A bar at the side, so that it is told from what is said by the way.
-void warning(const std::string& words) {
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  ImGui::Indent(0.6f * ImGui::GetFontSize());
-  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 190, 120, 255));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  name_widget("warning = " + words);
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::Unindent(0.6f * ImGui::GetFontSize());
-  ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 3, ImGui::GetItemRectMax().y},
-                                            IM_COL32(255, 150, 60, 255));
-}
-
 void warnings(Interface& interface, const PresetDocument& document) {
   const EffectSelection& selection = interface.effects;
-  using enum EffectDocuments::OnDisk;
+  using enum OpenDocuments::OnDisk;
   const auto on_disk = interface.workspace.documents.on_disk(selection.name);
   if (on_disk == kChanged)
     warning(
@@ -338,9 +352,11 @@ void depths(Interface& interface) {
       "slices of the method: what shares a slice is blended by weight, what is apart is sorted.");
   if (!open) return;
   SeenDepths& seen = selection.depths;
+  const auto index = selected_instance(interface);
+  if (!index) return ImGui::TreePop();
   if (seen.picture != workspace.picture() || seen.instance != selection.instance)
     seen = {workspace.picture(), selection.instance,
-            emitter_depths(workspace.stage(), selection.instance, workspace.camera())};
+            emitter_depths(workspace.stage(), *index, workspace.camera())};
   Side& side = workspace.shows(workspace.a) ? workspace.a : workspace.b;
   depth_ruler(seen.emitters, selection.emitter, workspace.scene().near_m,
               depth_slices(*side.method().method));
@@ -364,6 +380,7 @@ void effects_panel(Interface& interface) {
   EffectSelection& selection = interface.effects;
   hierarchy(interface);
   pick_effect_to_drop(interface);
+  edit_instance(interface);
   PresetDocument* document = document_of(interface);
   if (!document) return note("Select an effect, or one of its emitters, to edit it.");
   ImGui::Separator();
@@ -372,91 +389,37 @@ void effects_panel(Interface& interface) {
   edit_effect(interface, *document);
 }
 
-void ask_about_files(Interface& interface) {
-  EffectSelection& selection = interface.effects;
-  EffectDocuments& documents = interface.workspace.documents;
-  if (!selection.conflict.empty() && !ImGui::IsPopupOpen(kConflict)) ImGui::OpenPopup(kConflict);
-  if (ImGui::BeginPopupModal(kConflict, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-    text(fmt::format("The file of {} is not as it was when it was read.", selection.conflict));
-    const auto answer = [&](const char* name, const char* help, auto&& act) {
-      if (ImGui::Button(name)) {
-        try {
-          act();
-        } catch (const std::exception& problem) {
-          interface.workspace.problem = problem.what();
-        }
-        selection.conflict.clear();
-        ImGui::CloseCurrentPopup();
-      }
-      tooltip(help);
-      ImGui::SameLine();
-    };
-    answer("save mine", "Writes over what another program wrote.",
-           [&] { documents.save(selection.conflict, PresetDocument::OverChanges::kOverwrite); });
-    answer("take theirs", "Reads the file; what you had is one undo away.",
-           [&] { documents.reload(selection.conflict); });
-    answer("neither", "Goes on without saving.", [] {});
-    ImGui::EndPopup();
-  }
-  if (selection.closing && !ImGui::IsPopupOpen(kUnsaved)) ImGui::OpenPopup(kUnsaved);
-  if (!ImGui::BeginPopupModal(kUnsaved, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  text(fmt::format("Not saved: {}", fmt::join(documents.unsaved(), ", ")));
-  const bool leaves = ImGui::Button("close without saving");
-  ImGui::SameLine();
-  if (ImGui::Button("stay") || leaves) {
-    interface.closing = leaves;
-    selection.closing = false;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
+std::optional<size_t> selected_instance(const Interface& interface) {
+  const auto& instances = interface.workspace.scene().instances;
+  const auto found = std::ranges::find(instances, interface.effects.instance, &Instance::name);
+  if (found == instances.end() || found->effect != interface.effects.name) return {};
+  return size_t(found - instances.begin());
+}
+
+void select_instance(Interface& interface, size_t index) {
+  select(interface.effects, interface.workspace.scene().instances[index], {});
 }
 
 void undo_edit(Interface& interface) {
-  if (PresetDocument* document = document_of(interface)) document->undo();
+  document_of(interface);  // which looks whether it can be opened
+  if (PresetDocument* text = interface.workspace.to_undo(interface.effects.name)) text->undo();
   interface.effects.refused.clear();
 }
 
 void redo_edit(Interface& interface) {
-  if (PresetDocument* document = document_of(interface)) document->redo();
+  document_of(interface);
+  if (PresetDocument* text = interface.workspace.to_redo(interface.effects.name)) text->redo();
   interface.effects.refused.clear();
 }
 
-void save_effect(Interface& interface) {
-  PresetDocument* document = document_of(interface);
-  if (!document) return;
-  try {
-    interface.workspace.documents.save(interface.effects.name, PresetDocument::OverChanges::kRefuse);
-  } catch (const ChangedOnDisk&) {
-    interface.effects.conflict = interface.effects.name;
-  } catch (const std::exception& problem) {
-    interface.workspace.problem = problem.what();
-  }
-}
-
-void close_window(Interface& interface) {
-  if (interface.workspace.documents.unsaved().empty())
-    interface.closing = true;
-  else
-    interface.effects.closing = true;
-}
-
-bool place_effect(Interface& interface, Side& side, glm::vec2 place) {
-  std::string& placing = interface.effects.placing;
-  if (placing.empty()) return false;
+void save_edits(Interface& interface) {
+  const PresetDocument* effect = document_of(interface);
   Workspace& workspace = interface.workspace;
-  try {
-    if (workspace.drop_effect(placing, side, place)) {
-      const size_t last = workspace.scene().instances.size() - 1;
-      select(interface.effects, workspace.scene().instances[last], last, {});
-      placing.clear();
-    } else {
-      workspace.problem = "There is only sky: click on something solid.";
-    }
-  } catch (const std::exception& problem) {
-    workspace.problem = problem.what();
-    placing.clear();
-  }
-  return true;
+  const PresetDocument* scene = workspace.scene_document();
+  if (scene && scene->is_changed() && !save(interface, workspace.scenes, workspace.scene().file)) return;
+  if (effect && (effect->is_changed() ||
+                 workspace.documents.on_disk(interface.effects.name) != OpenDocuments::OnDisk::kSame))
+    save(interface, workspace.documents, interface.effects.name);
 }
 
 }  // namespace plume

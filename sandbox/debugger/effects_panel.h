@@ -8,17 +8,14 @@
 namespace plume {
 
 void effects_panel(Interface& interface);
-/// Questions about files that stand over the picture until they are answered.
-void ask_about_files(Interface& interface);
+/// In the scene that is shown; nothing: none is, or it is gone.
+std::optional<size_t> selected_instance(const Interface& interface);
+void select_instance(Interface& interface, size_t index);
 
-// What keys do, too; nothing where no effect is selected.
+// What keys do, too: of the selected effect, if there is one, and of the scene.
 void undo_edit(Interface& interface);
 void redo_edit(Interface& interface);
-void save_effect(Interface& interface);
-/// Closes the window, once what is not saved is decided.
-void close_window(Interface& interface);
-/// Drops the effect that is being placed; `place` are shares of the picture of `side`. False: none is.
-bool place_effect(Interface& interface, Side& side, glm::vec2 place);
+void save_edits(Interface& interface);
 
 }  // namespace plume
 #endif

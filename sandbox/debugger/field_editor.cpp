@@ -94,10 +94,15 @@ void help(const Field& field) {
   if (wants_tooltip()) tooltip(help_of(field));
 }
 
-/// Starts a line: the name to the left, the next item to fill the rest, with room for a button.
+/// Starts a line: the name to the left, as much of it as there is room for, the next item to fill the rest,
+/// with room for a button.
 void label(const Field& field, std::string_view name) {
+  const float room = kLabelWidth * ImGui::GetFontSize() - ImGui::GetCursorPosX();
+  std::string words(name);
+  while (words.size() > 3 && ImGui::CalcTextSize(words.c_str()).x > room)
+    words.replace(words.size() - 3, 3, "..");
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name.data(), name.data() + name.size());
+  ImGui::TextUnformatted(words.c_str());
   help(field);
   ImGui::SameLine(kLabelWidth * ImGui::GetFontSize());
 }

@@ -2,7 +2,10 @@
 #ifndef PLUME_DEBUGGER_INTERFACE_H
 #define PLUME_DEBUGGER_INTERFACE_H
 
+#include <array>
+
 #include "sandbox/debugger/effect_selection.h"
+#include "sandbox/debugger/preset_gallery.h"
 #include "sandbox/workspace/crosshair.h"
 #include "sandbox/workspace/recording.h"
 #include "sandbox/workspace/settings.h"
@@ -25,11 +28,32 @@ struct CrosshairView {
   size_t weights_of = 0;  ///< among the methods told: whose weights the table has
 };
 
+/// The name that a copy of the scene is to have.
+struct SceneNaming {
+  bool asked = false;  ///< the question is to be opened
+  std::array<char, 64> typed{};
+  std::string refused;  ///< why not
+};
+
+/// Questions that stand over the picture; see file_questions.h.
+struct FileQuestions {
+  struct Conflict {
+    OpenDocuments* documents;
+    std::string name;
+  };
+  std::optional<Conflict> conflict;  ///< what was not saved because its file is another by now
+  bool closing = false;              ///< the window would close, but something is not saved
+};
+
 struct Interface {
   Workspace& workspace;
+  PresetGallery gallery{workspace.library()};
   Crosshair crosshair{};
   CrosshairView crosshair_view{};
   EffectSelection effects;
+  FileQuestions questions;
+  SceneNaming naming;
+  Area picture{{0, 0}, {1, 1}};  ///< where it is in the window
 
   bool panels = true;  ///< otherwise the picture has the whole window
   bool help = false;   ///< the list of keys is open

@@ -6,6 +6,8 @@
 #include <array>
 
 #include "sandbox/debugger/effects_panel.h"
+#include "sandbox/debugger/file_questions.h"
+#include "sandbox/debugger/instance_marks.h"
 #include "sandbox/debugger/widgets.h"
 
 namespace plume {
@@ -103,13 +105,25 @@ constexpr std::array kActions{
            [](Interface& i) { turn(i.workspace, Comparison::kSplit); }},
     Action{
         {key('C')}, "C", "the scene's camera again", [](Interface& i) { i.workspace.follow_scene_camera(); }},
+    Action{{key('F')},
+           "F",
+           "frame the selected instance; without one, turn about what is under the pointer",
+           focus_or_frame},
+    Action{{Key::kDelete}, "Delete", "take the selected instance out of the scene", remove_instance},
     Action{{key('R')},
            "R",
            "adapt the resolution to the rate, or hold it",
            [](Interface& i) { i.workspace.resolution.adapts = !i.workspace.resolution.adapts; }},
-    Action{{key('Z'), false, true}, "Ctrl+Z", "undo an edit of the selected effect", undo_edit},
+    Action{{key('Z'), false, true},
+           "Ctrl+Z",
+           "undo an edit of the scene or the selected effect, whichever was last",
+           undo_edit},
     Action{{key('Z'), true, true}, "Ctrl+Shift+Z", "redo it", redo_edit},
-    Action{{key('S'), false, true}, "Ctrl+S", "save the selected effect", save_effect},
+    Action{{key('S'), false, true}, "Ctrl+S", "save the selected effect and the scene", save_edits},
+    Action{{key('S'), true, true},
+           "Ctrl+Shift+S",
+           "save the scene under another name",
+           [](Interface& i) { i.naming.asked = true; }},
     Action{{key('R'), false, true},
            "Ctrl+R",
            "record the session as a replay; again: stop and save",
@@ -123,9 +137,10 @@ constexpr std::array kActions{
     Action{{Key::kTab}, "Tab", "hide and show the panels", [](Interface& i) { i.panels = !i.panels; }},
     Action{{Key::kF1}, "F1", "this list", [](Interface& i) { i.help = !i.help; }},
     Action{{Key::kF11}, "F11", "full screen", [](Interface& i) { i.full_screen = !i.full_screen; }},
+    Action{{key('Q'), false, true}, "Ctrl+Q", "quit", close_window},
     Action{{Key::kEscape},
            "Esc",
-           "close a list, drop nothing; else take the crosshair away; else quit",
+           "close a list or a question, drop nothing; else take the crosshair away; else quit",
            [](Interface& i) {
              if (i.help || !i.workspace.problem.empty() || !i.effects.placing.empty())
                i.help = false, i.workspace.problem.clear(), i.effects.placing.clear();
@@ -136,8 +151,10 @@ constexpr std::array kActions{
            }},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 7> kPointer{{
+constexpr std::array<std::pair<const char*, const char*>, 9> kPointer{{
     {"click", "place the crosshair: what is at that pixel"},
+    {"double click", "turn about what is there, and select the effect whose that is"},
+    {"drag the ring", "of an instance: move it; with Shift, up and down"},
     {"P held", "the crosshair follows the pointer"},
     {"left drag", "orbit round the target"},
     {"middle drag", "pan"},
@@ -162,6 +179,8 @@ void describe_keys(Interface& interface) {
   if (!interface.help) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x, 0.98f * window.y});  // beyond, it scrolls
+  ImGui::SetNextWindowBgAlpha(1);
   if (ImGui::Begin("Keys", &interface.help,
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings) &&
       ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {

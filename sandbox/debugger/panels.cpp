@@ -7,6 +7,8 @@
 #include "sandbox/debugger/crosshair_mark.h"
 #include "sandbox/debugger/crosshair_panel.h"
 #include "sandbox/debugger/effects_panel.h"
+#include "sandbox/debugger/file_questions.h"
+#include "sandbox/debugger/instance_marks.h"
 #include "sandbox/debugger/keys.h"
 #include "sandbox/debugger/method_panel.h"
 #include "sandbox/debugger/record_panel.h"
@@ -65,6 +67,7 @@ void describe_problem(Interface& interface, Area picture) {
   ImGui::SetNextWindowPos(
       {picture.corner.x + 0.5f * picture.size.x, picture.corner.y + 0.5f * picture.size.y},
       ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowBgAlpha(1);
   bool open = true;
   if (ImGui::Begin("Something went wrong", &open,
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
@@ -107,10 +110,13 @@ Area describe_panels(Interface& interface) {
     picture = {{left, 0}, {window.x - left - right, window.y - bottom}};
   }
   picture.size = glm::max(picture.size, glm::vec2(1));
+  interface.picture = picture;
   mark_viewport(interface, picture);
   mark_views(interface, picture);
+  mark_instances(interface, picture);
   mark_crosshair(interface, picture);
   ask_about_files(interface);
+  ask_for_scene_name(interface);
   describe_problem(interface, picture);
   describe_keys(interface);
   const Workspace& workspace = interface.workspace;

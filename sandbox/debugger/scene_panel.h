@@ -7,6 +7,8 @@
 namespace plume {
 
 void scene_panel(Interface& interface);
+/// The question that stands over the picture while a copy of the scene is named.
+void ask_for_scene_name(Interface& interface);
 
 }  // namespace plume
 #endif

@@ -13,8 +13,8 @@ namespace plume {
 
 /// Names the last widget.
 void name_widget(std::string_view name);
-/// Names what is no widget.
-void name_place(std::string_view name, glm::vec2 corner, glm::vec2 size);
+/// Names what is no widget, or a point that can be clicked on.
+void name_place(std::string_view name, glm::vec2 corner, glm::vec2 size = {0, 0});
 /// Once all of them are described.
 void write_widget_places();
 

@@ -14,6 +14,14 @@ bool wants_tooltip();
 void text(const std::string& text);
 /// Wrapped, and less bright.
 void note(const std::string& text);
+/// Wrapped, with a bar at the side, so that it is told from what is said by the way.
+void warning(const std::string& words);
+/// A window in the middle that has to be answered, once ImGui::OpenPopup(`title`) was called; where this is
+/// true, ImGui::EndPopup() ends it.
+bool begin_question(const char* title);
+/// Whether a key that answers a question was pressed.
+bool pressed_escape();
+bool pressed_enter();
 /// What ImGui's sliders are told to write: a number as `digits` says ("%.4g"), and its unit.
 std::string number_format(std::string_view digits, std::string_view unit);
 /// "0 .. 1", with the unit, for tooltips.

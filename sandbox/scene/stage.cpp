@@ -29,7 +29,7 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
       view_(device,
             {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}),
       seen_(device) {
-  call_effects(effects_with(edits), edits);
+  call_effects(effects_with(edits), edits, {});
   for (const Pane& pane : scene_.panes)
     (source_of(pane.transmission) == Source::kRgb ? rgb_panes_ : scalar_panes_).push_back(pane_card(pane));
 }
@@ -54,24 +54,58 @@ void Stage::revise(const SceneEdits& edits) {
   std::map<std::string, Effect> effects = effects_with(edits);
   if (auto mistakes = check_references(as_played(scene_, edits), library_, effects); !mistakes.empty())
     throw FileErrors(std::move(mistakes));
-  call_effects(std::move(effects), edits);
+  call_effects(std::move(effects), edits, call_of_);
 }
 
-void Stage::add_instance(Instance instance, const SceneEdits& edits) {
-  scene_.instances.push_back(std::move(instance));
+void Stage::revise(Scene scene, const SceneEdits& edits) {
+  const auto was = calls_by_name(scene.instances);
+  std::swap(scene_, scene);
   try {
-    revise(edits);
+    std::map<std::string, Effect> effects = effects_with(edits);
+    if (auto mistakes = check_references(as_played(scene_, edits), library_, effects); !mistakes.empty())
+      throw FileErrors(std::move(mistakes));
+    call_effects(std::move(effects), edits, was);
   } catch (...) {
-    scene_.instances.pop_back();
+    std::swap(scene_, scene);
     throw;
   }
 }
 
-/// What stands is replaced only once all that comes is made.
-void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits) {
+namespace {
+
+/// Whether their particles move the same way; effects may have been edited since.
+bool moves_alike(const Instance& a, const Instance& b) {
+  const auto keys = [](const Instance& i) { return i.path ? i.path->keys() : std::vector<Path::Key>{}; };
+  return a.effect == b.effect && a.call_tick == b.call_tick && a.stop_tick == b.stop_tick &&
+         std::ranges::equal(
+             a.freezes, b.freezes,
+             [](const Freeze& f, const Freeze& g) { return f.from == g.from && f.until == g.until; }) &&
+         a.position == b.position && a.yaw_deg == b.yaw_deg && a.seed == b.seed &&
+         std::ranges::equal(keys(a), keys(b), [](const Path::Key& k, const Path::Key& l) {
+           return k.tick == l.tick && k.position == l.position;
+         });
+}
+
+}  // namespace
+
+/// For each of `others`, the call that has its particles; nothing where there is none.
+std::vector<std::optional<uint32_t>> Stage::calls_by_name(const std::vector<Instance>& others) const {
+  std::vector<std::optional<uint32_t>> calls;
+  for (const Instance& other : others) {
+    const auto same = std::ranges::find(scene_.instances, other.name, &Instance::name);
+    const bool stays = same != scene_.instances.end() && moves_alike(*same, other);
+    calls.push_back(stays ? call_of_[size_t(same - scene_.instances.begin())] : std::nullopt);
+  }
+  return calls;
+}
+
+/// What stands is replaced only once all that comes is made. `was`: the calls of the simulation there is that
+/// instances of the scene were.
+void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits,
+                         const std::vector<std::optional<uint32_t>>& was) {
   Scene played = as_played(scene_, edits);
   std::vector<Call> calls;
-  std::vector<std::optional<uint32_t>> call_of(played.instances.size()), was;
+  std::vector<std::optional<uint32_t>> call_of(played.instances.size()), adopted;
   for (size_t i = 0; i < played.instances.size(); ++i) {
     const Instance& instance = played.instances[i];
     if (!instance.call_tick) continue;
@@ -79,9 +113,9 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
     for (const LayerOffset& layer : instance.layers) layers.push_back({layer.layer, layer.camera_offset_m});
     call_of[i] = uint32_t(calls.size());
     const bool stays =
-        i < call_of_.size() && call_of_[i] &&
+        i < was.size() && was[i] &&
         same_states(effects.at(instance.effect).emitters, effects_.at(instance.effect).emitters);
-    was.push_back(stays ? call_of_[i] : std::nullopt);
+    adopted.push_back(stays ? was[i] : std::nullopt);
     calls.push_back({.name = instance.name,
                      .effect = &effects.at(instance.effect),
                      .tick = *instance.call_tick,
@@ -105,7 +139,7 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
                                              glowing);
   auto simulation = std::make_unique<Simulation>(device_, pipelines_, std::move(calls), scene_.seed,
                                                  scene_.wind, scene_.solids, scene_.light.sun_direction);
-  if (simulation_) simulation->adopt(*simulation_, was);
+  if (simulation_) simulation->adopt(*simulation_, adopted);
   simulation_ = std::move(simulation);
   lighting_ = std::move(lighting);
   effects_ = std::move(effects);  // which keeps their addresses

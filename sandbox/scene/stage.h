@@ -27,8 +27,9 @@ class Stage {
   /// the same bits as in a stage made with them. Throws FileErrors when the scene cannot bear them, and
   /// leaves everything as it was.
   void revise(const SceneEdits& edits);
-  /// One more, after the others; likewise. Throws what the library throws, too.
-  void add_instance(Instance instance, const SceneEdits& edits);
+  /// Shows another scene, which may differ from the one it has in its instances and its names alone;
+  /// likewise. Instances are known by their names. Throws what the library throws, too.
+  void revise(Scene scene, const SceneEdits& edits);
 
   /// Simulates to `tick` and looks from `camera` (nothing: the scene's own).
   std::vector<gpu::PassTime> go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera = {});
@@ -59,7 +60,9 @@ class Stage {
 
  private:
   std::map<std::string, Effect> effects_with(const SceneEdits& edits);
-  void call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits);
+  std::vector<std::optional<uint32_t>> calls_by_name(const std::vector<Instance>& others) const;
+  void call_effects(std::map<std::string, Effect> effects, const SceneEdits& edits,
+                    const std::vector<std::optional<uint32_t>>& was);
   bool plays(const std::function<bool(const Effect&)>& which) const;
   void fit_cards(uint32_t count);
   std::vector<CardGroup> card_groups() const;

@@ -13,6 +13,7 @@ namespace plume {
 namespace {
 
 constexpr float kStillPixels = 3;  // a hand that clicks trembles
+constexpr float kSamePixels = 6;   // and clicks twice nearly at the same place
 
 [[noreturn]] void refuse(const std::string& what) {
   const char* reason = nullptr;
@@ -25,9 +26,9 @@ constexpr float kStillPixels = 3;  // a hand that clicks trembles
 static_assert(int(Key::kEscape) == GLFW_KEY_ESCAPE && int(Key::kTab) == GLFW_KEY_TAB &&
               int(Key::kSpace) == GLFW_KEY_SPACE && int(key('M')) == GLFW_KEY_M &&
               int(Key::kRight) == GLFW_KEY_RIGHT && int(Key::kUp) == GLFW_KEY_UP &&
-              int(Key::kHome) == GLFW_KEY_HOME && int(Key::kEnd) == GLFW_KEY_END &&
-              int(Key::kF1) == GLFW_KEY_F1 && int(Key::kF12) == GLFW_KEY_F12 &&
-              int(Key::kLeftShift) == GLFW_KEY_LEFT_SHIFT);
+              int(Key::kHome) == GLFW_KEY_HOME && int(Key::kDelete) == GLFW_KEY_DELETE &&
+              int(Key::kEnd) == GLFW_KEY_END && int(Key::kF1) == GLFW_KEY_F1 &&
+              int(Key::kF12) == GLFW_KEY_F12 && int(Key::kLeftShift) == GLFW_KEY_LEFT_SHIFT);
 
 /// The monitor that holds most of the window.
 GLFWmonitor* monitor_of(GLFWwindow* window) {
@@ -105,7 +106,7 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<
     if (action == GLFW_PRESS)
       e.pressed_at = e.pointer;
     else if (glm::length(e.pointer - e.pressed_at) < kStillPixels)
-      e.input.clicks.push_back(e.pointer);
+      e.click(glfwGetTime());
   });
   glfwSetCursorPosCallback(window_.get(), [](GLFWwindow* window, double x, double y) {
     Events& e = events_of(window);
@@ -116,6 +117,18 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<
   });
   glfwSetScrollCallback(
       window_.get(), [](GLFWwindow* window, double, double y) { events_of(window).input.wheel += float(y); });
+}
+
+/// GLFW tells when it hears of a click, not when it was made: after a slow picture two at once, or one each
+/// in two calls that follow each other.
+void GlfwWindow::Events::click(double now_s) {
+  const bool soon = now_s - clicked_s < kDoubleClickSeconds || waits - clicked_in <= 1;
+  const bool is_second = soon && glm::length(pointer - clicked_at) < kSamePixels;
+  input.clicks.push_back({pointer, is_second});
+  clicked_at = pointer;
+  clicked_in = waits;
+  clicked_s = is_second ? -1e9 : now_s;  // a third click begins anew
+  if (is_second) clicked_at = glm::vec2(-1e6f);
 }
 
 void GlfwWindow::set_full_screen(bool full_screen) {
@@ -184,18 +197,15 @@ glm::uvec2 GlfwWindow::size() const {
   return {uint32_t(width), uint32_t(height)};
 }
 
-bool GlfwWindow::closing() const {
-  return glfwWindowShouldClose(window_.get());
-}
-void GlfwWindow::close() {
-  glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
-}
-
 WindowInput GlfwWindow::wait(double seconds) {
   if (seconds > 0)
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
+  ++events_->waits;
+  // Whether it closes is for others to say.
+  events_->input.wants_to_close = glfwWindowShouldClose(window_.get());
+  glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
   return std::exchange(events_->input, {});
 }
 

@@ -28,8 +28,6 @@ class GlfwWindow {
 
   /// In pixels; 0x0 while it is minimised.
   glm::uvec2 size() const;
-  bool closing() const;
-  void close();
   /// Over the whole monitor it is on, or back to where it was.
   void set_full_screen(bool full_screen);
   /// Position and size while it is not full-screen, in screen coordinates.
@@ -39,6 +37,8 @@ class GlfwWindow {
   bool holds_button(Button button) const { return events_->held[size_t(button)]; }
   /// In screen coordinates from the upper left.
   glm::vec2 pointer() const { return events_->pointer; }
+  /// Where the left button went down last.
+  glm::vec2 pressed_at() const { return events_->pressed_at; }
   /// Pixels to a screen coordinate, and how much larger than on a common screen things should be drawn.
   float pixel_ratio() const;
   float content_scale() const;
@@ -57,10 +57,15 @@ class GlfwWindow {
   };
 
   struct Events {
+    void click(double now_s);
+
     WindowInput input;
     glm::vec2 pointer{0.0f};
     std::array<bool, 3> held{};  // by Button
     glm::vec2 pressed_at{0.0f};  // the left one
+    glm::vec2 clicked_at{0.0f};  // last, with it
+    double clicked_s = -1e9;
+    uint64_t clicked_in = 0, waits = 0;  // which call of wait()
   };
   static Events& events_of(GLFWwindow* window);
 

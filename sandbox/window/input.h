@@ -14,6 +14,7 @@ enum class Key : int {
   kSpace = 32,
   kEscape = 256,
   kTab = 258,
+  kDelete = 261,
   kRight = 262,
   kLeft = 263,
   kDown = 264,
@@ -39,10 +40,18 @@ struct KeyPress {
 
 enum class Button { kLeft, kRight, kMiddle };
 
+/// Between the two of a double click, at most.
+constexpr double kDoubleClickSeconds = 0.3;
+
 struct WindowInput {
   std::vector<KeyPress> keys;  ///< pressed, or repeated while held
-  /// Where the left button was pressed and let go without moving between, in screen coordinates.
-  std::vector<glm::vec2> clicks;
+  /// The left button was pressed and let go without moving between.
+  struct Click {
+    glm::vec2 at;    ///< in screen coordinates
+    bool is_second;  ///< of a double click; the first was told before
+  };
+  std::vector<Click> clicks;
+  bool wants_to_close = false;      ///< by what the desktop has for it
   std::array<glm::vec2, 3> drag{};  ///< movement with each Button held, in screen coordinates
   float wheel = 0.0f;               ///< steps; up is positive
 };

@@ -93,12 +93,16 @@ Overlay::VulkanBackend::~VulkanBackend() {
 }
 
 Overlay::Overlay(gpu::Device& device, const GlfwWindow& window, vk::Format format)
-    : device_(device), render_pass_(make_render_pass(device, format)), window_backend_(window) {}
+    : device_(device),
+      window_(window),
+      render_pass_(make_render_pass(device, format)),
+      window_backend_(window) {}
 
-void Overlay::fit_text(float scale, float pixel_ratio) {
+void Overlay::fit_text(float scale, float pixel_ratio, PresetGallery& gallery) {
   ImGuiStyle style;
   ImGui::StyleColorsDark(&style);
   style.Colors[ImGuiCol_WindowBg].w = 0.8f;
+  style.Colors[ImGuiCol_PopupBg].w = 1.0f;  // pictures and questions stand over other words
   style.ScaleAllSizes(scale);
   ImGui::GetStyle() = style;
   ImFontConfig font;
@@ -109,16 +113,38 @@ void Overlay::fit_text(float scale, float pixel_ratio) {
   vulkan_backend_.reset();
   io.Fonts->Clear();
   io.Fonts->AddFontDefault(&font);
+  gallery.reserve(*io.Fonts);
+  io.Fonts->Build();
+  gallery.paint(*io.Fonts);
   io.FontGlobalScale = 1 / pixel_ratio;
   vulkan_backend_.emplace(device_, *render_pass_);
   text_scale_ = scale;
   pixel_ratio_ = pixel_ratio;
 }
 
-void Overlay::begin(float text_scale, float pixel_ratio) {
-  if (text_scale != text_scale_ || pixel_ratio != pixel_ratio_) fit_text(text_scale, pixel_ratio);
+/// ImGui 1.86 is told which keys are down, not which were pressed: a tap between two frames would be lost.
+void Overlay::take_keys(std::span<const KeyPress> pressed) {
+  ImGuiIO& io = ImGui::GetIO();
+  const auto down = [&](Key key) -> bool& { return io.KeysDown[size_t(key)]; };
+  for (const Key key : tapped_) down(key) = window_.holds(key);
+  tapped_.clear();
+  for (const KeyPress& press : pressed) {
+    if (size_t(press.key) >= std::size(io.KeysDown)) continue;  // GLFW knows no name of it
+    if (!down(press.key)) tapped_.push_back(press.key);
+    down(press.key) = true;
+    if (press.key == Key::kEscape) io.NavInputs[ImGuiNavInput_Cancel] = 1.0f;
+  }
+}
+
+void Overlay::begin(float text_scale, float pixel_ratio, std::span<const KeyPress> pressed,
+                    PresetGallery& gallery) {
+  if (text_scale != text_scale_ || pixel_ratio != pixel_ratio_ || gallery.wants_texture())
+    fit_text(text_scale, pixel_ratio, gallery);
+  // A key that closes a list must not do what it does otherwise, too. Questions are answered elsewhere.
+  list_is_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  take_keys(pressed);
   ImGui::NewFrame();
 }
 
@@ -130,7 +156,7 @@ bool Overlay::takes_pointer() const {
   return ImGui::GetIO().WantCaptureMouse;
 }
 bool Overlay::takes_keys() const {
-  return ImGui::GetIO().WantTextInput;
+  return ImGui::GetIO().WantTextInput || list_is_open_;
 }
 
 void Overlay::record(const vk::raii::CommandBuffer& commands, const WindowImage& image) {

@@ -4,7 +4,9 @@
 #define PLUME_WINDOW_OVERLAY_H
 
 #include <optional>
+#include <span>
 
+#include "sandbox/debugger/preset_gallery.h"
 #include "sandbox/window/glfw_window.h"
 #include "sandbox/window/swapchain.h"
 
@@ -16,8 +18,9 @@ class Overlay {
   Overlay(gpu::Device& device, const GlfwWindow& window, vk::Format format);
 
   /// ImGui's panels may be described between the two. `text_scale` is of the text and all around it, in
-  /// ImGui's coordinates, each of which is `pixel_ratio` pixels.
-  void begin(float text_scale, float pixel_ratio);
+  /// ImGui's coordinates, each of which is `pixel_ratio` pixels. `pressed` since the last time; Esc closes
+  /// a list that is open. Pictures that the gallery wants are seen from now on.
+  void begin(float text_scale, float pixel_ratio, std::span<const KeyPress> pressed, PresetGallery& gallery);
   void end();
   /// Whether the pointer, or the keyboard, is busy in a panel; asked after begin().
   bool takes_pointer() const;
@@ -44,15 +47,19 @@ class Overlay {
     VulkanBackend(const VulkanBackend&) = delete;
     vk::raii::DescriptorPool descriptors;
   };
-  void fit_text(float scale, float pixel_ratio);
+  void take_keys(std::span<const KeyPress> pressed);
+  void fit_text(float scale, float pixel_ratio, PresetGallery& gallery);
 
   gpu::Device& device_;
+  const GlfwWindow& window_;
   vk::raii::RenderPass render_pass_;
   vk::raii::Framebuffer framebuffer_{nullptr};
   Context context_;
   WindowBackend window_backend_;
   std::optional<VulkanBackend> vulkan_backend_;  // made anew with the font's texture
   float text_scale_ = 0, pixel_ratio_ = 0;
+  bool list_is_open_ = false;
+  std::vector<Key> tapped_;  // held down for ImGui's last frame
 };
 
 }  // namespace plume

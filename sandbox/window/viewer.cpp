@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sandbox/debugger/effects_panel.h"
+#include "sandbox/debugger/file_questions.h"
+#include "sandbox/debugger/instance_marks.h"
 #include "sandbox/debugger/keys.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/image_io.h"
@@ -21,6 +22,15 @@ constexpr float kFlyMetresPerSecond = 3.0f, kFlyFast = 4.0f;
 constexpr double kLongestStep = 0.1;  // s: a slow picture is no reason to fly through a wall
 constexpr float kDividerReach = 6;    // screen coordinates to both sides
 
+/// An id, or the path of a file that is not in the library.
+std::string name_of(const Scene& scene, const PresetLibrary& library) try {
+  return library.find(PresetKind::kScene, scene.id) == scene.file
+             ? scene.id
+             : std::filesystem::absolute(scene.file).string();
+} catch (const PresetError&) {
+  return std::filesystem::absolute(scene.file).string();
+}
+
 }  // namespace
 
 Viewer::Viewer(GlfwWindow& window, Workspace& workspace)
@@ -31,18 +41,21 @@ Viewer::Viewer(GlfwWindow& window, Workspace& workspace)
       overlay_(workspace.device(), window, swapchain_.format()) {}
 
 void Viewer::run(uint32_t frames) {
-  std::string scene = workspace_.scene().id;
-  for (uint32_t shown = 0; !window_.closing() && (frames == 0 || shown < frames);) {
+  std::string scene = workspace_.scene().file;
+  for (uint32_t shown = 0; !interface_.closing && (frames == 0 || shown < frames);) {
     const WindowInput input = window_.wait(idle_s());
     overlay_.begin(window_.content_scale() / window_.pixel_ratio() * interface_.text_scale,
-                   window_.pixel_ratio());
+                   window_.pixel_ratio(), input.keys, interface_.gallery);
     area_ = describe_panels(interface_);
     react_to(input);
     overlay_.end();
-    if (scene != workspace_.scene().id) visit_scene(interface_.settings, scene = workspace_.scene().id);
-    if (interface_.closing) window_.close();
+    if (scene != workspace_.scene().file) {
+      scene = workspace_.scene().file;
+      visit_scene(interface_.settings, name_of(workspace_.scene(), workspace_.library()));
+      window_.set_title("Plume: " + workspace_.scene().name);
+    }
     window_.set_full_screen(interface_.full_screen);
-    if (window_.closing() || window_.size() == glm::uvec2(0)) continue;  // size 0: minimised
+    if (interface_.closing || window_.size() == glm::uvec2(0)) continue;  // size 0: minimised
 
     if (interface_.recording.advance(workspace_)) {
       // it draws for itself
@@ -65,18 +78,24 @@ void Viewer::draw() {
 }
 
 void Viewer::react_to(const WindowInput& input) {
-  if (!overlay_.takes_keys()) {
+  if (!overlay_.takes_keys())
     for (const KeyPress& pressed : input.keys) press(pressed, interface_);
-  }
+  if (input.wants_to_close) close_window(interface_);
   const bool held = window_.holds_button(Button::kLeft) || window_.holds_button(Button::kMiddle) ||
                     window_.holds_button(Button::kRight);
   dragging_ = held && !overlay_.takes_pointer();
+  if (!held) starts_drag_ = true;
   if (!held) drags_divider_ = false;
+  if (!window_.holds_button(Button::kLeft)) let_go_of_instance(interface_);
   if (!overlay_.takes_pointer()) {
     drag_divider(input);
+    drag_effect(input);
     move_camera(input);
-    for (const glm::vec2 click : input.clicks)
-      interface_.effects.placing.empty() ? place_crosshair(click) : place_effect(click);
+    for (const WindowInput::Click& click : input.clicks) react_to(click);
+    if (clicked_ && now_s() - clicked_s_ > kDoubleClickSeconds) {
+      place_crosshair(*clicked_);
+      clicked_.reset();
+    }
     if (window_.holds(key('P')) && !overlay_.takes_keys()) place_crosshair(window_.pointer());
   }
   fly(std::min(now_s() - last_s_, kLongestStep));
@@ -92,6 +111,29 @@ void Viewer::drag_divider(const WindowInput& input) {
     workspace_.divider = std::clamp((pointer.x - area_.corner.x) / area_.size.x, 0.0f, 1.0f);
 }
 
+void Viewer::drag_effect(const WindowInput& input) {
+  if (drags_divider_ || input.drag[size_t(Button::kLeft)] == glm::vec2(0)) return;
+  if (interface_.effects.held || (starts_drag_ && grab_instance(interface_, window_.pressed_at())))
+    drag_instance(interface_, window_.pointer(), window_.holds(Key::kLeftShift));
+  starts_drag_ = false;
+}
+
+/// The crosshair's panel takes room from the picture when it opens, so it waits until it is no double click.
+void Viewer::react_to(const WindowInput::Click& click) {
+  const glm::vec2 share = (click.at - area_.corner) / area_.size;
+  if (!interface_.effects.placing.empty()) {
+    place_effect(interface_, share, window_.holds(Key::kLeftShift));
+  } else if (click.is_second) {
+    clicked_.reset();
+    focus_at(interface_, share);
+  } else if (interface_.crosshair.placed()) {
+    place_crosshair(click.at);
+  } else {
+    clicked_ = click.at;
+    clicked_s_ = now_s();
+  }
+}
+
 void Viewer::place_crosshair(glm::vec2 pointer) {
   const glm::vec2 share = (pointer - area_.corner) / area_.size;
   if (glm::any(glm::lessThan(share, glm::vec2(0))) || glm::any(glm::greaterThanEqual(share, glm::vec2(1))))
@@ -101,16 +143,9 @@ void Viewer::place_crosshair(glm::vec2 pointer) {
   interface_.crosshair.place(glm::ivec2(glm::floor(share * glm::vec2(size))), size);
 }
 
-void Viewer::place_effect(glm::vec2 pointer) {
-  const glm::vec2 place = (pointer - area_.corner) / area_.size;
-  const bool on_a = workspace_.comparison() == Comparison::kSplit ? place.x < workspace_.divider
-                                                                  : workspace_.shows(workspace_.a);
-  plume::place_effect(interface_, on_a ? workspace_.a : workspace_.b, place);
-}
-
 void Viewer::move_camera(const WindowInput& input) {
   const auto& [left, right, middle] = input.drag;
-  if (drags_divider_ ||
+  if (drags_divider_ || interface_.effects.held ||
       (left == glm::vec2(0) && right == glm::vec2(0) && middle == glm::vec2(0) && input.wheel == 0))
     return;
   CameraKey camera = orbit(workspace_.camera(), left * kDegreesPerPixel);

@@ -32,7 +32,8 @@ class Viewer {
   void fly(double seconds);
   void drag_divider(const WindowInput& input);
   void place_crosshair(glm::vec2 pointer);
-  void place_effect(glm::vec2 pointer);
+  void react_to(const WindowInput::Click& click);
+  void drag_effect(const WindowInput& input);
   void draw();
   bool show();
   glm::uvec2 picture_area() const;
@@ -47,6 +48,9 @@ class Viewer {
   Area area_{};  // of the picture
   glm::uvec2 drawn_for_{0};
   bool drags_divider_ = false, dragging_ = false;
+  bool starts_drag_ = true;           // nothing was dragged since the left button went down
+  std::optional<glm::vec2> clicked_;  // and it may yet be a double click
+  double clicked_s_ = 0;
   double last_s_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -83,5 +83,18 @@ inline CameraKey focus(CameraKey camera, glm::vec3 place) {
   return camera;
 }
 
+/// Comes as near as a ball fills most of the picture's smaller side, without turning, and turns about it from
+/// then on. `aspect` is the picture's width over its height.
+inline CameraKey frame(CameraKey camera, glm::vec3 centre, float radius_m, float aspect) {
+  constexpr float kAir = 1.25f;
+  const float half_height = std::tan(glm::radians(camera.vertical_fov_deg) / 2);
+  const float half_side = std::atan(half_height * std::min(aspect, 1.0f));
+  const float wanted = std::clamp(kAir * radius_m / std::sin(half_side), kNearestOrbitM, kFarthestOrbitM);
+  const glm::vec3 arm = camera.position - camera.target;
+  camera.position = centre + arm * (wanted / glm::length(arm));
+  camera.target = centre;
+  return camera;
+}
+
 }  // namespace plume
 #endif

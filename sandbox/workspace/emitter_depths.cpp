@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/parameters.h"
+#include "sandbox/workspace/living_particles.h"
 
 namespace plume {
 
@@ -24,18 +25,12 @@ std::vector<EmitterDepths> emitter_depths(const Stage& stage, size_t instance, c
                       .depths_m = {},
                       .has_states = !emitter.motion.analytic});
   const glm::vec3 forward = glm::normalize(camera.target - camera.position);
-  const std::vector<shared::Particle> particles = stage.simulation().particles();
-  size_t next = 0;
-  for (const EmitterState& emitter : instances.emitters) {
-    if (!emitter.wanted || emitter.is_analytic()) continue;
-    const size_t end = next + emitter.living();
-    for (; next < end; ++next) {
-      const shared::Particle& particle = particles[next];
-      if (emitter.call != *call || (particle.state & shared::kDeadAge) == shared::kDeadAge) continue;
-      const float depth = glm::dot(particle.position - camera.position, forward);
-      if (depth > 0) result[emitter.index].depths_m.push_back(depth);
+  const auto positions = living_positions(stage, instance);
+  for (size_t e = 0; e < positions.size(); ++e)
+    for (const glm::vec3& position : positions[e]) {
+      const float depth = glm::dot(position - camera.position, forward);
+      if (depth > 0) result[e].depths_m.push_back(depth);
     }
-  }
   for (EmitterDepths& emitter : result) std::ranges::sort(emitter.depths_m);
   return result;
 }

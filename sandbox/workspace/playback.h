@@ -26,6 +26,11 @@ class Playback {
   }
   /// Goes on playing from there.
   void go_to(uint32_t tick) { tick_ = std::min(tick, last_tick_); }
+  /// Of a scene that became longer or shorter.
+  void set_last_tick(uint32_t last_tick) {
+    last_tick_ = last_tick;
+    tick_ = std::min(tick_, last_tick);
+  }
   /// Stops, so that the tick can be looked at. Stays at the ends.
   void step_back() {
     playing_ = false;

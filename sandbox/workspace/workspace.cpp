@@ -7,9 +7,10 @@
 
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/picture.h"
-#include "sandbox/presets/read_scene.h"
+#include "sandbox/presets/add_instance.h"
+#include "sandbox/presets/write_scene.h"
 #include "sandbox/scene/view.h"
-#include "sandbox/workspace/surface_point.h"
+#include "sandbox/workspace/key_edits.h"
 
 namespace plume {
 namespace {
@@ -26,6 +27,15 @@ Side side_of(std::string_view first, const std::string& mark) {
   return side;
 }
 
+/// All but instances and names.
+bool stands_alike(Scene a, Scene b) {
+  for (Scene* scene : {&a, &b}) {
+    scene->instances.clear();
+    scene->name = scene->description = "";
+  }
+  return scene_text(a) == scene_text(b);
+}
+
 /// `name`, or with the first number from 2 that no instance has.
 std::string unused_name(const Scene& scene, std::string_view name) {
   std::string candidate(name);
@@ -39,7 +49,8 @@ std::string unused_name(const Scene& scene, std::string_view name) {
 
 Workspace::Workspace(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library,
                      Scene scene, const Playback& playing)
-    : documents(library),
+    : documents(library, PresetKind::kEffect),
+      scenes(library, PresetKind::kScene),
       a(side_of(kFirstMethod, "")),
       b(side_of(kSecondMethod, " (B)")),
       playback(playing),
@@ -48,6 +59,10 @@ Workspace::Workspace(gpu::Device& device, gpu::Pipelines& pipelines, const Prese
       library_(library),
       stage_(std::make_unique<Stage>(device, pipelines, library, std::move(scene))) {
   open_documents();
+  open_scene_document();
+  if (const PresetDocument* document = scene_document())
+    if (this->scene().seed != document->scene()->seed) seed_ = this->scene().seed;
+  applied_ = wanted_edits();
 }
 
 /// So that their files are watched.
@@ -56,37 +71,90 @@ void Workspace::open_documents() {
     if (instance.call_tick) documents.open(instance.effect);
 }
 
-SceneEdits Workspace::edits() const {
-  return {.effects = documents.edited(),
-          .muted = switches.silent(scene().instances.size()),
-          .frozen = switches.frozen};
+/// Of the scene that is shown, if that was read from a file which is still there without mistakes.
+void Workspace::open_scene_document() {
+  scene_file_.clear();
+  seed_.reset();
+  shown_scene_ = 0;
+  const std::string file = scene().file;
+  std::error_code unreadable;
+  if (file.empty() || !std::filesystem::exists(file, unreadable)) return;
+  const PresetDocument& document = scenes.open(file);
+  if (!document.scene()) return;
+  scene_file_ = file;
+  shown_scene_ = document.revision();
 }
 
-void Workspace::apply_edits() {
+PresetDocument* Workspace::scene_document() {
+  return scene_file_.empty() ? nullptr : &scenes.open(scene_file_);
+}
+
+Workspace::Applied Workspace::wanted_edits() {
+  const PresetDocument* document = scene_document();
+  return {documents.revision(), document ? document->revision() : 0, switches};
+}
+
+SceneEdits Workspace::edits_with(const InstanceSwitches& wanted, size_t instances) const {
+  return {.effects = documents.edited_effects(), .muted = wanted.silent(instances), .frozen = wanted.frozen};
+}
+
+void Workspace::take_edits() {
   const Applied wanted = wanted_edits();
   if (wanted == applied_) return;
-  applied_ = wanted;
   ++scene_version_;
   try {
-    stage_->revise(edits());
+    if (wanted.scene != shown_scene_)
+      show_scene(*scene_document()->scene());
+    else
+      stage_->revise(edits_with(switches, scene().instances.size()));
+    shown_scene_ = wanted.scene;
     refused_edits_.clear();
   } catch (const FileErrors& mistakes) {
     refused_edits_ = mistakes.what();
+  } catch (const PresetError& missing) {
+    refused_edits_ = missing.what();
   }
+  applied_ = wanted_edits();  // whose switches may be renumbered
+}
+
+/// In the place of the one before, of which what stays is kept.
+void Workspace::show_scene(Scene next) {
+  if (seed_) next.seed = *seed_;
+  std::vector<std::optional<size_t>> now;
+  for (const Instance& instance : scene().instances) {
+    const auto same = std::ranges::find(next.instances, instance.name, &Instance::name);
+    now.push_back(same == next.instances.end() ? std::nullopt
+                                               : std::optional(size_t(same - next.instances.begin())));
+  }
+  const InstanceSwitches kept = switches.renumbered(now);
+  const SceneEdits edits = edits_with(kept, next.instances.size());
+  const uint32_t last_tick = next.duration_ticks;
+  if (stands_alike(next, scene()))
+    stage_->revise(std::move(next), edits);
+  else
+    stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(next), edits);
+  switches = kept;
+  playback.set_last_tick(last_tick);
+  open_documents();
 }
 
 void Workspace::open_scene(const std::string& id) {
-  Scene scene = library_.scene(id);
-  if (auto unknown = check_references(scene, library_); !unknown.empty())
-    throw FileErrors(std::move(unknown));
-  const Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
+  const std::string file = library_.find(PresetKind::kScene, id).string();
+  const PresetDocument& document = scenes.open(file);
+  scenes.look_at(file);
+  if (!document.scene() || !document.diagnostics().empty()) throw FileErrors(document.diagnostics());
+  Scene scene = *document.scene();
+  Playback from(scene.default_tick, scene.duration_ticks, playback.playing());
+  from.speed = playback.speed;
+  from.loops = playback.loops;
   stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene),
-                                   SceneEdits{.effects = documents.edited()});
+                                   SceneEdits{.effects = documents.edited_effects()});
   ++scene_version_;
   switches = {};
+  open_documents();
+  open_scene_document();
   applied_ = wanted_edits();
   refused_edits_.clear();
-  open_documents();
   playback = from;
   camera_.reset();
   for (Side* side : {&a, &b}) side->timings.clear();
@@ -96,29 +164,95 @@ void Workspace::open_scene(const std::string& id) {
 void Workspace::change_scene(const std::function<void(Scene&)>& how) {
   Scene scene = stage_->scene();
   how(scene);
-  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene), edits());
+  const SceneEdits edits = edits_with(switches, scene.instances.size());
+  stage_ = std::make_unique<Stage>(device_, pipelines_, library_, std::move(scene), edits);
   ++scene_version_;
   applied_ = wanted_edits();
   open_documents();
   change();
 }
 
-bool Workspace::drop_effect(const std::string& effect, Side& side, glm::vec2 place) {
-  if (!side.targets) return false;
-  const auto view = make_view(scene(), camera(), side.targets->size, playback.tick());
-  const auto surface = surface_at(device_, *side.targets, view, place);
+shared::ViewData Workspace::drawn_view() const {
+  const CameraKey eye{.position = key_.position, .target = key_.target, .vertical_fov_deg = key_.fov};
+  return make_view(scene(), eye, key_.size, key_.tick);
+}
+
+std::optional<SurfacePoint> Workspace::surface_at(glm::vec2 place) {
+  if (!shown()) return {};
+  if (!surface_ || surface_of_ != picture_) surface_.emplace(device_, *shown(), drawn_view());
+  surface_of_ = picture_;
+  return surface_->at(place);
+}
+
+bool Workspace::drop_effect(const std::string& effect, glm::vec2 place) {
+  constexpr double kGrainM = 0.001;
+  library_.find(PresetKind::kEffect, effect);
+  PresetDocument* document = scene_document();
+  if (!document) throw std::runtime_error("the scene is of no file, so nothing can be written into it");
+  const auto surface = surface_at(place);
   if (!surface) return false;
-  stage_->add_instance({.name = unused_name(scene(), effect),
-                        .effect = effect,
-                        .call_tick = playback.tick(),
-                        .position = *surface,
-                        .seed = uint32_t(scene().instances.size())},
-                       edits());
-  ++scene_version_;
-  applied_ = wanted_edits();
-  open_documents();
+  glm::vec3 position;
+  for (int axis = 0; axis < 3; ++axis)
+    position[axis] = rounded(surface->position[axis], kGrainM) + 0.0f;  // no -0
+  const auto outcome = add_instance(*document, {.name = unused_name(scene(), effect),
+                                                .effect = effect,
+                                                .call_tick = playback.tick(),
+                                                .position = position,
+                                                .seed = uint32_t(scene().instances.size())});
+  if (!outcome.made) throw FileErrors(outcome.diagnostics);
+  take_edits();
+  if (!refused_edits_.empty()) {  // such as for effects that are not saved
+    const std::string why = refused_edits_;
+    document->undo();
+    take_edits();
+    throw std::runtime_error(why);
+  }
   change();
   return true;
+}
+
+void Workspace::save_scene_as(const std::string& id) {
+  PresetDocument* document = scene_document();
+  if (!document) throw std::invalid_argument("the scene is of no file");
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  if (id.empty() || !std::ranges::all_of(id, fits))
+    throw std::invalid_argument(
+        fmt::format("a scene cannot be called \"{}\", expected letters, digits, _ and -", id));
+  const std::filesystem::path file = library_.root() / "scenes" / (id + ".toml");
+  if (std::filesystem::exists(file))
+    throw std::invalid_argument(fmt::format("there is a scene `{}`, expected a new name", id));
+  const bool renamed = document->set("name", id).made;
+  try {
+    scenes.save_as(scene_file_, file);
+  } catch (...) {
+    if (renamed) document->undo();
+    throw;
+  }
+  scene_file_ = file.string();
+  take_edits();
+}
+
+std::vector<PresetDocument*> Workspace::worked_on(const std::string& effect) {
+  std::vector<PresetDocument*> texts;
+  if (!effect.empty()) texts.push_back(&documents.open(effect));
+  if (PresetDocument* scene = scene_document()) texts.push_back(scene);
+  return texts;
+}
+
+PresetDocument* Workspace::to_undo(const std::string& effect) {
+  PresetDocument* last = nullptr;
+  for (PresetDocument* text : worked_on(effect))
+    if (text->undo_order() > (last ? last->undo_order() : 0)) last = text;
+  return last;
+}
+
+PresetDocument* Workspace::to_redo(const std::string& effect) {
+  PresetDocument* first = nullptr;
+  for (PresetDocument* text : worked_on(effect))
+    if (text->redo_order() > 0 && (!first || text->redo_order() < first->redo_order())) first = text;
+  return first;
 }
 
 CameraKey Workspace::camera() const {
@@ -161,6 +295,7 @@ bool Workspace::shows(const Side& side) const {
 
 bool Workspace::advance(double now_s) {
   documents.poll(now_s);
+  scenes.poll(now_s);
   outdated_ |= wanted_edits() != applied_;
   outdated_ |= playback.advance(now_s);
   return outdated_ || always_draw;
@@ -168,7 +303,7 @@ bool Workspace::advance(double now_s) {
 
 void Workspace::draw(glm::uvec2 area) {
   const auto start = std::chrono::steady_clock::now();
-  apply_edits();
+  take_edits();
   const glm::uvec2 size = resolution.picture_size(area);
   const CameraKey eye = camera();
   const PictureKey key{.scene = scene_version_,

@@ -9,11 +9,12 @@
 #include "sandbox/measure/timing_history.h"
 #include "sandbox/scene/stage.h"
 #include "sandbox/workspace/accuracy_log.h"
-#include "sandbox/workspace/effect_documents.h"
 #include "sandbox/workspace/instance_switches.h"
+#include "sandbox/workspace/open_documents.h"
 #include "sandbox/workspace/playback.h"
 #include "sandbox/workspace/resolution_control.h"
 #include "sandbox/workspace/side_view.h"
+#include "sandbox/workspace/surface_point.h"
 
 namespace plume {
 
@@ -50,19 +51,36 @@ class Workspace {
   /// Shows another scene from its default tick, with the scene's own camera. Throws what the library throws,
   /// and leaves everything as it was.
   void open_scene(const std::string& id);
-  /// Changes the scene that is shown, at the tick that is shown.
+  /// Changes the scene that is shown, at the tick that is shown, and not its text.
   void change_scene(const std::function<void(Scene&)>& change);
 
-  /// Effects that are worked on. An edit is seen in the next picture.
-  EffectDocuments documents;
+  /// Effects and scenes that are worked on. An edit is seen in the next picture.
+  OpenDocuments documents, scenes;
+  /// The text of the scene that is shown; nullptr: it is of no file.
+  PresetDocument* scene_document();
+  /// Shows what was edited of the scene at once.
+  void take_edits();
+  /// Writes the scene as it is now as another of the library, and works on that from now on. Throws
+  /// FileError, and std::invalid_argument when there is no document, `id` is no name for a file, or it is
+  /// taken.
+  void save_scene_as(const std::string& id);
+  /// Of an effect ("": none) and the scene, the text that the last step is to be taken back of, or made
+  /// again; nullptr: there is none. Throws what the library throws.
+  PresetDocument* to_undo(const std::string& effect);
+  PresetDocument* to_redo(const std::string& effect);
   /// Which instances are heard and whose time goes on; likewise.
   InstanceSwitches switches;
   /// Why the scene cannot bear the effects as they were edited last, and shows those before; empty: it can.
   const std::string& refused_edits() const { return refused_edits_; }
-  /// Calls an effect at the tick that is shown, where the opaque surface is that is seen at a place of the
-  /// picture of `side` (shares of its width and height, from the upper left). Returns false, and does
-  /// nothing, where there is only sky. Throws what the library throws and FileErrors.
-  bool drop_effect(const std::string& effect, Side& side, glm::vec2 place);
+  /// The opaque surface that is seen at a place of the picture that was drawn last: shares of its width and
+  /// height, from the upper left. Nothing: the sky.
+  std::optional<SurfacePoint> surface_at(glm::vec2 place);
+  /// As the picture that was drawn last was seen.
+  shared::ViewData drawn_view() const;
+  /// Calls an effect at the tick that is shown, on that surface, as one edit of the scene's text. Returns
+  /// false, and does nothing, where there is only sky. Throws what the library throws and FileErrors, and
+  /// std::runtime_error when the scene is of no file.
+  bool drop_effect(const std::string& effect, glm::vec2 place);
 
   CameraKey camera() const;
   /// One's own from now on.
@@ -116,14 +134,16 @@ class Workspace {
     glm::uvec2 size{0};
     bool operator==(const PictureKey&) const = default;
   };
-  struct Applied {  ///< of the edits, in the stage
-    uint64_t revision = 0;
+  struct Applied {                    ///< of the edits, in the stage
+    uint64_t effects = 0, scene = 0;  // revisions
     InstanceSwitches switches;
     bool operator==(const Applied&) const = default;
   };
-  Applied wanted_edits() const { return {documents.revision(), switches}; }
-  SceneEdits edits() const;
-  void apply_edits();
+  Applied wanted_edits();
+  SceneEdits edits_with(const InstanceSwitches& wanted, size_t instances) const;
+  void open_scene_document();
+  void show_scene(Scene scene);
+  std::vector<PresetDocument*> worked_on(const std::string& effect);
   void open_documents();
   void draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation);
 
@@ -131,6 +151,9 @@ class Workspace {
   gpu::Pipelines& pipelines_;
   const PresetLibrary& library_;
   std::unique_ptr<Stage> stage_;
+  std::string scene_file_;        // that `scenes` calls the document; "": there is none
+  std::optional<uint32_t> seed_;  // instead of that of the document
+  uint64_t shown_scene_ = 0;      // revision of the document that the stage shows
   Applied applied_;
   std::string refused_edits_;
   std::optional<CameraKey> camera_;  // nothing: the scene's own
@@ -142,6 +165,8 @@ class Workspace {
   double frame_ms_ = 0;  // that drawing took last
   uint64_t picture_ = 0;
   Inspector inspector_;
+  std::optional<SurfaceDepths> surface_;  // of picture surface_of_
+  uint64_t surface_of_ = 0;
 };
 
 }  // namespace plume

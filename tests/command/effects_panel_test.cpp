@@ -107,6 +107,29 @@ class EffectsPanel : public ProgramTest {
   bool is_there(const std::string& widget) const {
     return read("places").find(" " + widget + "\n") != std::string::npos;
   }
+  /// An effect is dropped on the floor through the list of pictures.
+  void drop_effect(int x, int y) {
+    for (int i = 0; i < 10 && !is_there("effect: small"); ++i) {
+      click("drop");
+      until([&] { return is_there("effect: small"); }, 1);
+    }
+    click("effect: small");
+    act(fmt::format("mousemove {} {}", x, y));
+    act("mousedown 1");
+    act("mouseup 1");
+    EXPECT_TRUE(until([&] { return is_there("mark of small"); })) << read("places");
+  }
+  /// As the desktop does for the button that closes a window.
+  void ask_to_close() {
+    const std::string command = fmt::format("DISPLAY={} xdotool search --onlyvisible --name Plume",
+                                            display_->environment()["DISPLAY"]);
+    FILE* answer = popen(command.c_str(), "r");
+    unsigned long window = 0;
+    ASSERT_EQ(std::fscanf(answer, "%lu", &window), 1);
+    pclose(answer);
+    display_->ask_to_close(window);
+  }
+  std::string scene() const { return read("presets/scenes/one.toml"); }
   std::string effect() const { return read("presets/effects/small.toml"); }
   Outcome close() {
     kill(window_, SIGTERM);
@@ -158,6 +181,82 @@ TEST_F(EffectsPanel, ADraggedNumberIsSavedAndUndone) {
   window_ = -1;
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(EffectsPanel, AnEffectIsDroppedMovedSavedRemovedAndBroughtBack) {
+  drop_effect(560, 560);
+  EXPECT_EQ(scene(), kScene) << "not saved yet";
+  act("key ctrl+s");
+  ASSERT_TRUE(until([&] { return scene() != kScene; }));
+  const std::string dropped = scene();
+  ASSERT_TRUE(dropped.starts_with(kScene)) << dropped;
+  EXPECT_TRUE(says(dropped.substr(kScene.size()),
+                   {"[[instance]]", "effect = \"small\"", "call_tick = 30", "position = ["}));
+
+  move_to("mark of small");
+  act("mousedown 1");
+  for (int i = 1; i <= 3; ++i) act("mousemove_relative 20 0");
+  act("mouseup 1");
+  act("key ctrl+s");
+  ASSERT_TRUE(until([&] { return scene() != dropped; }));
+  const std::string moved = scene();
+  const auto number = [](const std::string& text, int which) {
+    size_t at = text.rfind("position = [") + 11;
+    for (; which > 0; --which) at = text.find(',', at + 1);
+    return std::stod(text.substr(at + 1));
+  };
+  EXPECT_GT(number(moved, 0), number(dropped, 0) + 0.1);
+  EXPECT_EQ(number(moved, 1), number(dropped, 1)) << "on its level";
+
+  act("key Delete");
+  act("key ctrl+s");
+  EXPECT_TRUE(until([&] { return scene() == kScene; })) << scene();
+  for (const std::string& before : {moved, dropped, std::string(kScene)}) {
+    act("key ctrl+z");
+    act("key ctrl+s");
+    EXPECT_TRUE(until([&] { return scene() == before; })) << scene();
+  }
+}
+
+TEST_F(EffectsPanel, ClosingAsksWhatBecomesOfWhatIsNotSaved) {
+  drop_effect(560, 560);
+  ask_to_close();
+  ASSERT_TRUE(until([&] { return is_there("Discard"); }));
+  act("key Escape");
+  ASSERT_TRUE(until([&] { return !is_there("Discard"); }));
+  EXPECT_EQ(scene(), kScene);
+  act("key ctrl+q");
+  click("Save");
+  const Outcome outcome = wait(window_);
+  window_ = -1;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(scene(), kScene);
+}
+
+TEST_F(EffectsPanel, ASceneIsPickedByItsPictureAndSavedUnderAnotherName) {
+  write("presets/scenes/two.toml", with(kScene, "\"One\"", "\"Two\""));
+  for (int i = 0; i < 10 && !is_there("scene: two"); ++i) {
+    click("scene = one");
+    until([&] { return is_there("scene: two"); }, 1);
+  }
+  act("key Escape");
+  ASSERT_TRUE(until([&] { return !is_there("scene: two"); })) << "Esc closes the list, and nothing else";
+  click("scene = one");
+  act("type TW");
+  ASSERT_TRUE(until([&] { return !is_there("scene: one"); })) << "what is typed is looked for";
+  click("scene: two");
+  ASSERT_TRUE(until([&] { return !is_there("scene: two"); })) << "the list closes";
+  act("mousemove 640 300 key ctrl+shift+s");
+  click("save as name");
+  ASSERT_TRUE(until([&] { return fs::exists(at("presets/scenes/two_2.toml")); }));
+  EXPECT_TRUE(says(read("presets/scenes/two_2.toml"), {"name = \"two_2\"", "effect = \"small\""}));
+  EXPECT_TRUE(until([&] { return fs::exists(at("presets/pictures/scenes/two_2.png")); }));
+  act("key ctrl+q");
+  const Outcome outcome = wait(window_);
+  window_ = -1;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(says(read("config/settings.toml"), {"scene = \"two_2\""}));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #ifndef PLUME_TESTS_VIRTUAL_DISPLAY_H
 #define PLUME_TESTS_VIRTUAL_DISPLAY_H
 
+#include <dlfcn.h>
 #include <sys/prctl.h>
 
 #include "tests/command/program.h"
@@ -37,6 +38,35 @@ class VirtualDisplay {
   }
   VirtualDisplay(const VirtualDisplay&) = delete;
 
+  /// Sends WM_DELETE_WINDOW, as a window manager does; none runs here. Xlib is there where GLFW is.
+  void ask_to_close(unsigned long window) const {
+    void* xlib = dlopen("libX11.so.6", RTLD_NOW);
+    ASSERT_NE(xlib, nullptr);
+    const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(xlib, "XOpenDisplay"));
+    const auto atom =
+        reinterpret_cast<unsigned long (*)(void*, const char*, int)>(dlsym(xlib, "XInternAtom"));
+    const auto send =
+        reinterpret_cast<int (*)(void*, unsigned long, int, long, void*)>(dlsym(xlib, "XSendEvent"));
+    const auto close = reinterpret_cast<int (*)(void*)>(dlsym(xlib, "XCloseDisplay"));
+    ASSERT_TRUE(open && atom && send && close);
+    void* display = open((":" + number_).c_str());
+    ASSERT_NE(display, nullptr);
+    struct {  // XClientMessageEvent in the size of XEvent
+      int type = 33;
+      unsigned long serial = 0;
+      int sent = 1;
+      void* display = nullptr;
+      unsigned long window = 0, protocols = 0;
+      int format = 32;
+      long data[5]{};
+      long rest[12]{};
+    } message;
+    message.window = window;
+    message.protocols = atom(display, "WM_PROTOCOLS", 0);
+    message.data[0] = long(atom(display, "WM_DELETE_WINDOW", 0));
+    send(display, window, 0, 0, &message);
+    close(display);
+  }
   bool works() const { return !number_.empty(); }
   Environment environment() const { return {{"DISPLAY", ":" + number_}, {"WAYLAND_DISPLAY", ""}}; }
 

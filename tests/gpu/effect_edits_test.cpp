@@ -196,7 +196,7 @@ TEST_F(EffectEdits, WhatIsNotSavedIsNotLostToAChangeOnDisk) {
   const uint64_t edited = seen(workspace);
   write("effects/small.toml", with(kEffect, "[0.5, 1.0]", "[2.5, 3.0]"));
   workspace.advance(1);
-  using enum EffectDocuments::OnDisk;
+  using enum OpenDocuments::OnDisk;
   EXPECT_EQ(workspace.documents.on_disk("small"), kChanged);
   workspace.advance(2);
   EXPECT_EQ(workspace.documents.on_disk("small"), kChanged) << "until it is decided";
@@ -246,7 +246,7 @@ TEST_F(EffectEdits, WhatIsNotEditedIsNotBroughtFromItsBirthAgain) {
   const uint64_t right = seen(workspace);
   EXPECT_EQ(workspace.stage().demand()[1].ticks_simulated, 0u);
   EXPECT_EQ(right, anew([](Scene& scene) { scene.instances.erase(scene.instances.begin()); }));
-  ASSERT_TRUE(workspace.drop_effect("other", workspace.a, {0.5f, 0.9f}));
+  ASSERT_TRUE(workspace.drop_effect("other", {0.5f, 0.9f}));
   workspace.draw(kSize);
   EXPECT_EQ(workspace.stage().demand()[1].ticks_simulated, 0u);
 }
@@ -278,8 +278,8 @@ TEST_F(EffectEdits, EditsOutliveAnotherScene) {
 TEST_F(EffectEdits, ADroppedEffectStandsWhereOneClicksAndStartsThen) {
   Workspace workspace = open();
   workspace.draw(kSize);
-  EXPECT_FALSE(workspace.drop_effect("small", workspace.a, {0.5f, 0.1f})) << "the sky bears nothing";
-  ASSERT_TRUE(workspace.drop_effect("small", workspace.a, {0.25f, 0.9f}));
+  EXPECT_FALSE(workspace.drop_effect("small", {0.5f, 0.1f})) << "the sky bears nothing";
+  ASSERT_TRUE(workspace.drop_effect("small", {0.25f, 0.9f}));
   ASSERT_EQ(workspace.scene().instances.size(), 4u);
   const Instance& dropped = workspace.scene().instances.back();
   EXPECT_EQ(dropped.name, "small");
@@ -292,9 +292,9 @@ TEST_F(EffectEdits, ADroppedEffectStandsWhereOneClicksAndStartsThen) {
   workspace.playback.go_to(80);
   workspace.draw(kSize);
   EXPECT_TRUE(workspace.stage().demand()[3].awake) << workspace.stage().demand()[3].why;
-  ASSERT_TRUE(workspace.drop_effect("small", workspace.a, {0.25f, 0.9f}));
+  ASSERT_TRUE(workspace.drop_effect("small", {0.25f, 0.9f}));
   EXPECT_EQ(workspace.scene().instances.back().name, "small 2");
-  EXPECT_THROW(workspace.drop_effect("smal", workspace.a, {0.25f, 0.9f}), std::runtime_error);
+  EXPECT_THROW(workspace.drop_effect("smal", {0.25f, 0.9f}), std::runtime_error);
   EXPECT_EQ(workspace.scene().instances.size(), 5u);
 }
 

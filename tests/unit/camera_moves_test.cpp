@@ -86,5 +86,19 @@ TEST(CameraMovesTest, FocusLooksAtAPlaceUnlessItIsTheEyesOwn) {
   EXPECT_EQ(focus(camera, {0, 1, 8}).target, camera.target);
 }
 
+TEST(CameraMovesTest, FrameFillsTheSmallerSideWithoutTurning) {
+  const CameraKey camera{.position = {0, 5, 8}, .target = {0, 1, 0}, .vertical_fov_deg = 60};
+  const glm::vec3 before = glm::normalize(camera.target - camera.position);
+  for (const float aspect : {0.5f, 2.0f}) {
+    const CameraKey framed = frame(camera, {3, 2, 1}, 2, aspect);
+    EXPECT_EQ(framed.target, glm::vec3(3, 2, 1));
+    const glm::vec3 arm = framed.target - framed.position;
+    EXPECT_NEAR(glm::dot(glm::normalize(arm), before), 1, 1e-5f);
+    const float half_side = std::atan(std::tan(glm::radians(30.0f)) * std::min(aspect, 1.0f));
+    EXPECT_NEAR(std::asin(2 / glm::length(arm)), half_side, 0.25f * half_side) << "with a fifth of air";
+    EXPECT_LT(std::asin(2 / glm::length(arm)), half_side);
+  }
+}
+
 }  // namespace
 }  // namespace plume

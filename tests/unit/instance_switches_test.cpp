@@ -20,5 +20,11 @@ TEST(InstanceSwitches, SoloSilencesAllOthersAndWhatIsMutedStaysSo) {
   EXPECT_EQ(switches.silent(4), Silent());
 }
 
+TEST(InstanceSwitches, FollowTheirInstancesWhereOthersComeAndGo) {
+  const InstanceSwitches switches{.muted = {0, 2}, .solo = {1}, .frozen = {{2, 40}, {1, 7}}};
+  const InstanceSwitches moved = switches.renumbered({3, {}, 0});
+  EXPECT_EQ(moved, (InstanceSwitches{.muted = {0, 3}, .solo = {}, .frozen = {{0, 40}}}));
+}
+
 }  // namespace
 }  // namespace plume
