@@ -159,7 +159,6 @@ void Pass::barrier() {
 Frame::Frame(Device& device, Pipelines& pipelines)
     : device_(device),
       pipelines_(pipelines),
-      commands_(device.new_commands()),
       stamps_(device.vk().createQueryPool(
           {.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kMaxPasses})),
       counters_(
@@ -168,11 +167,17 @@ Frame::Frame(Device& device, Pipelines& pipelines)
   stamps_.reset(0, 2 * kMaxPasses);
   counters_.reset(0, kMaxCounters);
   breadcrumb_.mapped<uint32_t>()[0] = 0;
-  commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+  cut();
+}
+
+/// What is recorded from here on is handed over by itself.
+void Frame::cut() {
+  parts_.push_back({device_.new_commands(), ""});
+  commands().begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 }
 
 void Frame::full_barrier() {
-  commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier});
+  commands().pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &kFullBarrier});
 }
 
 void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record) {
@@ -180,25 +185,38 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
   const std::string label(name);
   const uint32_t index = uint32_t(passes_.size());
   passes_.push_back({label, counters_used_, counters_used_});
-  if (device_.has_debug_labels()) commands_.beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
-  commands_.fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
+  const size_t pipelines_before = pipelines_.count();
+  if (device_.has_debug_labels()) commands().beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
+  commands().fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
   // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass
   // reads 0.02 ms). It also puts the stamp itself into the batch of the last framebuffer, which a dispatch
   // overtakes: without the barrier behind the first stamp, a 48 ms dispatch that follows any drawing reads
   // 0.1 ms.
   full_barrier();
-  commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index);
+  commands().writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index);
   full_barrier();
-  Pass pass(commands_, pipelines_, *counters_, counters_used_);
+  Pass pass(commands(), pipelines_, *counters_, counters_used_);
   record(pass);
   passes_.back().end_counter = counters_used_;
   full_barrier();
-  commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index + 1);
-  if (device_.has_debug_labels()) commands_.endDebugUtilsLabelEXT();
+  commands().writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index + 1);
+  if (device_.has_debug_labels()) commands().endDebugUtilsLabelEXT();
+  if (!pipelines_.listener() || pipelines_.count() == pipelines_before) return;
+  commands().end();
+  parts_.back().last_pass = label;
+  cut();
+}
+
+void Frame::submit() {
+  const size_t total = parts_.size() - 1;
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    device_.submit_and_wait(parts_[i].commands);
+    if (i < total) pipelines_.listener()({.what = parts_[i].last_pass, .done = i + 1, .total = total});
+  }
 }
 
 std::vector<PassTime> Frame::finish() {
-  commands_.end();
+  commands().end();
   if (passes_.empty()) return {};
   try {
     const std::string& fault = device_.options().fault;
@@ -207,7 +225,7 @@ std::vector<PassTime> Frame::finish() {
       if (fault == "device_lost@" + name) throw DeviceFailure("the device was lost (injected)");
       if (fault == "out_of_memory@" + name) throw DeviceFailure("out of device memory (injected)");
     }
-    device_.submit_and_wait(commands_);
+    submit();
   } catch (const DeviceFailure& failure) {
     const std::string& fault = device_.options().fault;
     if (!fault.empty())

@@ -131,10 +131,18 @@ class Frame {
 
  private:
   void full_barrier();
+  void cut();
+  void submit();
+  const vk::raii::CommandBuffer& commands() const { return parts_.back().commands; }
+
+  struct Part {
+    vk::raii::CommandBuffer commands;
+    std::string last_pass;  // the name that is told when it has run
+  };
 
   Device& device_;
   Pipelines& pipelines_;
-  vk::raii::CommandBuffer commands_;
+  std::vector<Part> parts_;  // one, unless somebody listens to pipelines being made
   vk::raii::QueryPool stamps_;
   vk::raii::QueryPool counters_;
   uint32_t counters_used_ = 0;

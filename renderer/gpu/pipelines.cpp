@@ -96,9 +96,11 @@ vk::Sampler Pipelines::sampler_for(vk::Format format) const {
   return filterable ? *linear_ : *nearest_;
 }
 
-const Pipeline& Pipelines::find_or_make(std::string key, std::function<Pipeline()> make) {
+const Pipeline& Pipelines::find_or_make(std::string key, const std::string& shader,
+                                        std::function<Pipeline()> make) {
   Entry& entry = pipelines_[std::move(key)];
   if (!entry.pipeline) {
+    if (listener_) listener_({.what = shader, .done = 0, .total = 0});
     entry.pipeline = std::make_unique<Pipeline>(make());
     entry.make = std::move(make);
   }
@@ -106,7 +108,7 @@ const Pipeline& Pipelines::find_or_make(std::string key, std::function<Pipeline(
 }
 
 const Pipeline& Pipelines::compute(const std::string& shader, const Constants& constants) {
-  return find_or_make(fmt::format("{} {}", shader, fmt::join(constants, ",")),
+  return find_or_make(fmt::format("{} {}", shader, fmt::join(constants, ",")), shader,
                       [this, shader, constants] { return make_compute(shader, constants); });
 }
 
@@ -115,7 +117,8 @@ const Pipeline& Pipelines::graphics(const GraphicsDesc& desc) {
                                 int(desc.strip), desc.samples, fmt::join(desc.constants, ","));
   for (const Target& target : desc.targets)
     key += fmt::format(" {}:{}", int(target.format), int(target.blend));
-  return find_or_make(std::move(key), [this, desc] { return make_graphics(desc); });
+  return find_or_make(std::move(key), desc.fragment.empty() ? desc.vertex : desc.fragment,
+                      [this, desc] { return make_graphics(desc); });
 }
 
 void Pipelines::reload() {

@@ -2,6 +2,7 @@
 #ifndef PLUME_GPU_PIPELINES_H
 #define PLUME_GPU_PIPELINES_H
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -53,6 +54,12 @@ struct GraphicsDesc {
   Constants constants;
 };
 
+/// What is being made ready, for whoever waits.
+struct Preparing {
+  std::string_view what;  ///< a shader, or the pass that runs it for the first time
+  size_t done, total;     ///< passes that ran for the first time; 0 of 0 while pipelines are described
+};
+
 class Pipelines {
  public:
   /// `kept`: what cache() had in an earlier run, so that the driver need not work again.
@@ -65,6 +72,12 @@ class Pipelines {
   /// old ones.
   void reload();
   size_t count() const { return pipelines_.size(); }
+  /// Called before each pipeline is made, and after each pass that ran new ones: some drivers compile a
+  /// shader when it first runs, so frames hand those passes over one by one while somebody listens. The
+  /// listener may use the device, and must not draw frames of passes.
+  using Listener = std::function<void(const Preparing&)>;
+  void listen(Listener listener) { listener_ = std::move(listener); }
+  const Listener& listener() const { return listener_; }
   const PipelineCache& cache() const { return cache_; }
   const vk::PhysicalDeviceLimits& limits() const { return device_.limits(); }
   /// Clamped to the edge; linear, except for formats that devices need not filter.
@@ -80,13 +93,14 @@ class Pipelines {
     std::function<Pipeline()> make;
     std::unique_ptr<Pipeline> pipeline;
   };
-  const Pipeline& find_or_make(std::string key, std::function<Pipeline()> make);
+  const Pipeline& find_or_make(std::string key, const std::string& shader, std::function<Pipeline()> make);
 
   Device& device_;
   const Shaders& shaders_;
   PipelineCache cache_;
   vk::raii::Sampler linear_, nearest_;
   std::map<std::string, Entry> pipelines_;
+  Listener listener_;
 };
 
 }  // namespace plume::gpu
