@@ -236,8 +236,9 @@ struct Emitter {
   Look look;
 };
 
-/// Whether particles have the same states: what they look like does not matter.
-bool same_states(const std::vector<Emitter>& a, const std::vector<Emitter>& b);
+/// Whether the particles of emitter `i` of one version of an effect have the same states as those of `j` of
+/// another: what they look like does not matter, what their ancestors do does.
+bool same_states(const std::vector<Emitter>& a, size_t i, const std::vector<Emitter>& b, size_t j);
 
 /// What an instance does while nobody sees it.
 enum class OffScreen : uint32_t {

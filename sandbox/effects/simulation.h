@@ -34,9 +34,10 @@ class Simulation {
   /// The two roads by name. step() goes to the next tick; any tick must have been reached before.
   std::vector<gpu::PassTime> seek(uint32_t tick);
   std::vector<gpu::PassTime> step() { return go_to(tick() + 1); }
-  /// Before the first tick: takes over the particles of calls that `old` simulates too, so that those are
-  /// not brought from their births. `was` says for each call which one it is there, with the same
-  /// description; nothing: it is new. `old` is of no use any more.
+  /// Before the first tick: takes over the particles of emitters that `old` simulates too, with the same
+  /// states, so that those are not brought from their births. `was` says for each call which one it is
+  /// there; nothing: it is new. The effects that `old` points at must be there still; it is of no use any
+  /// more.
   void adopt(Simulation& old, const std::vector<std::optional<uint32_t>>& was);
 
   uint32_t tick() const { return tick_.value(); }

@@ -24,7 +24,6 @@ Stage::Stage(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary
       pipelines_(pipelines),
       library_(library),
       scene_(std::move(scene)),
-      puffs_(make_puff_textures(device, pipelines, kTextureSeed)),
       opaque_(device, scene_.solids),
       view_(device,
             {.owner = "scene", .label = "view", .bytes = sizeof(shared::ViewData), .host_visible = true}),
@@ -112,10 +111,7 @@ void Stage::call_effects(std::map<std::string, Effect> effects, const SceneEdits
     std::vector<Layer> layers;
     for (const LayerOffset& layer : instance.layers) layers.push_back({layer.layer, layer.camera_offset_m});
     call_of[i] = uint32_t(calls.size());
-    const bool stays =
-        i < was.size() && was[i] &&
-        same_states(effects.at(instance.effect).emitters, effects_.at(instance.effect).emitters);
-    adopted.push_back(stays ? was[i] : std::nullopt);
+    adopted.push_back(i < was.size() ? was[i] : std::nullopt);
     calls.push_back({.name = instance.name,
                      .effect = &effects.at(instance.effect),
                      .tick = *instance.call_tick,
@@ -190,6 +186,7 @@ void Stage::set_draw_order(const std::vector<uint32_t>& order) {
 }
 
 std::vector<gpu::PassTime> Stage::go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera) {
+  if (!puffs_) puffs_ = make_puff_textures(device_, pipelines_, kTextureSeed);
   // A camera of one's own has no motion of its own: it is where it is for as long as one looks.
   const std::optional<CameraKey> previous =
       camera ? std::nullopt : std::optional(camera_at(scene_.camera, std::max(tick, 1u) - 1));

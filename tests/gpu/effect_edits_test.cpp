@@ -251,6 +251,47 @@ TEST_F(EffectEdits, WhatIsNotEditedIsNotBroughtFromItsBirthAgain) {
   EXPECT_EQ(workspace.stage().demand()[1].ticks_simulated, 0u);
 }
 
+TEST_F(EffectEdits, OnlyAnEditedEmitterAndItsChildrenAreBroughtFromTheirBirth) {
+  const auto emitter = [](std::string_view name) {
+    std::string text(kEffect.substr(kEffect.find("[[emitter]]")));
+    return "\n" + text.replace(text.find("puffs"), 5, name);
+  };
+  std::string child = emitter("child");
+  child.replace(child.find("  rate"), child.find("  life") - child.find("  rate"), "");
+  child.insert(child.find("  [emitter.spawn]"),
+               "  [emitter.parent]\n  emitter = \"second\"\n  on = \"birth\"\n");
+  write("effects/small.toml", std::string(kEffect) + emitter("second") + child);
+  const auto ticks = [](const Workspace& workspace) {
+    std::map<std::string, bool> sought;
+    const Instances& all = workspace.stage().simulation().instances();
+    for (uint32_t i = 0; i < all.calls[0].described().size(); ++i)
+      sought[all.calls[0].described()[i].name] = all.emitter_of(0, i).ticks > 0;
+    return sought;
+  };
+  using Sought = std::map<std::string, bool>;
+  Workspace workspace = open();
+  workspace.draw(kSize);
+  PresetDocument& document = workspace.documents.open("small");
+  ASSERT_TRUE(document.set("emitter[1].motion.drag", 0.5f).made);
+  const uint64_t edited = seen(workspace);
+  EXPECT_EQ(ticks(workspace), (Sought{{"puffs", false}, {"second", true}, {"child", true}}));
+  ASSERT_TRUE(document.set("emitter[2].motion.drag", 0.25f).made);
+  seen(workspace);
+  EXPECT_EQ(ticks(workspace), (Sought{{"puffs", false}, {"second", false}, {"child", true}}));
+  ASSERT_TRUE(document.undo());
+  EXPECT_EQ(seen(workspace), edited);
+  ASSERT_TRUE(document.remove("emitter[0]").made);  // the others move up
+  const uint64_t without = seen(workspace);
+  EXPECT_EQ(ticks(workspace), (Sought{{"second", false}, {"child", false}}));
+  workspace.documents.save("small", PresetDocument::OverChanges::kRefuse);
+  EXPECT_EQ(without, anew());
+  ASSERT_TRUE(document.set("emitter[1].name", std::string("renamed")).made);  // what it is drawn from
+  const uint64_t renamed = seen(workspace);
+  EXPECT_EQ(ticks(workspace), (Sought{{"second", false}, {"renamed", true}}));
+  workspace.documents.save("small", PresetDocument::OverChanges::kRefuse);
+  EXPECT_EQ(renamed, anew());
+}
+
 TEST_F(EffectEdits, AnEditThatBendsLightMakesTheImageForIt) {
   Workspace workspace = open();
   workspace.draw(kSize);
