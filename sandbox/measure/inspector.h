@@ -2,7 +2,9 @@
 #ifndef PLUME_MEASURE_INSPECTOR_H
 #define PLUME_MEASURE_INSPECTOR_H
 
-#include "renderer/frame.h"
+#include <map>
+
+#include "sandbox/measure/ground_truth.h"
 #include "sandbox/measure/value_map.h"
 #include "sandbox/scene/view_choice.h"
 
@@ -17,30 +19,34 @@ struct Inspected {
   FrameReport report;
 };
 
-/// What is drawn: the same for the method and for the reference it is held against.
-struct Subject {
-  gpu::Device& device;
-  gpu::Pipelines& pipelines;
-  const Targets& targets;
-  const Prelude& prelude;
-  const Transparents& transparents;
-};
-
 /// Of the colours of a view in which such numbers were found.
 ValueScale scale_of(const ViewChoice& choice, const Inspection& view, const ValueRange& found);
 
 class Inspector {
  public:
+  /// Whether a view shows how far the method is from the reference.
+  static bool needs_reference(std::string_view id);
   /// inspections_of() the method, and what the reference says of it.
   static std::vector<Inspection> inspections(const Method& method);
   static std::optional<Inspection> find(const Method& method, std::string_view id);
 
   /// Draws a frame and looks at it: `view` must be among the method's. A view of the error draws the
-  /// reference too. Afterwards the targets hold the method's own picture.
+  /// reference too, unless it is known. Afterwards the targets hold the method's own picture.
   Inspected inspect(const Subject& subject, MethodInstance& instance, const Inspection& view, uint32_t slice);
 
+  /// The reference's picture; what changes it must be told: GroundTruth::forget().
+  GroundTruth truth;
+  /// No view of the error is shown any more: forgets all of them, and the reference.
+  void release();
+
  private:
-  std::optional<MethodInstance> reference_;  // kept, so that its lists have their length
+  /// An error map, by the owner of what it is of: for as long as neither picture changes, it is the same.
+  struct ErrorMap {
+    std::string view;
+    DrawnPicture picture;
+    Raster<float> values;
+  };
+  std::map<std::string, ErrorMap> errors_;
 };
 
 }  // namespace plume

@@ -22,18 +22,14 @@ bool AccuracyLog::has(const MethodInstance& instance) const {
   return std::ranges::any_of(entries_, is_of(instance, settings));
 }
 
-void AccuracyLog::clear() {
-  reference_.reset();
-  entries_.clear();
-}
-
-void AccuracyLog::add(const MethodInstance& instance, const DrawnPicture& picture, double ms) {
+void AccuracyLog::add(const MethodInstance& instance, const DrawnPicture& picture, const DrawnPicture& exact,
+                      double ms) {
   nlohmann::json settings = parameter_values(*instance.method);
   std::erase_if(entries_, is_of(instance, settings));
   entries_.push_back({.method = std::string(instance.method->id()),
                       .settings = std::move(settings),
-                      .rmse = rmse(reference_.value().linear, picture.linear),
-                      .flip = flip(reference_->display, picture.display).mean,
+                      .rmse = rmse(exact.linear, picture.linear),
+                      .flip = flip(exact.display, picture.display).mean,
                       .ms = ms});
 }
 

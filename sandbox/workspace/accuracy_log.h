@@ -3,7 +3,6 @@
 #define PLUME_WORKSPACE_ACCURACY_LOG_H
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,16 +21,13 @@ class AccuracyLog {
   };
 
   const std::vector<Entry>& entries() const { return entries_; }
-  bool has_reference() const { return reference_.has_value(); }
   bool has(const MethodInstance& instance) const;
   /// Another picture: what was measured is no longer true.
-  void clear();
-  void set_reference(DrawnPicture picture) { reference_ = std::move(picture); }
-  /// Replaces what was known of the method with these settings. There must be a reference.
-  void add(const MethodInstance& instance, const DrawnPicture& picture, double ms);
+  void clear() { entries_.clear(); }
+  /// Replaces what was known of the method with these settings.
+  void add(const MethodInstance& instance, const DrawnPicture& picture, const DrawnPicture& exact, double ms);
 
  private:
-  std::optional<DrawnPicture> reference_;
   std::vector<Entry> entries_;
 };
 

@@ -312,14 +312,25 @@ void Workspace::draw(glm::uvec2 area) {
                        .target = eye.target,
                        .fov = eye.vertical_fov_deg,
                        .size = size};
-  if (key != key_) accuracy_.clear();
+  if (key != key_) {
+    accuracy_.clear();
+    inspector_.truth.forget();
+  } else if (inspector_.truth.is_known()) {
+    inspector_.truth.rest();
+  }
   key_ = key;
+  if (!needs_truth()) inspector_.release();
   if (outdated_ || !shown() || shown()->size != size) ++picture_;
   const auto simulation = stage_->go_to(playback.tick(), size, camera_);
   for (Side* side : {&a, &b})
     if (shows(*side)) draw_side(*side, size, simulation);
   outdated_ = false;
   frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool Workspace::needs_truth() const {
+  return compares || (shows(a) && Inspector::needs_reference(a.view.id)) ||
+         (shows(b) && Inspector::needs_reference(b.view.id));
 }
 
 bool Workspace::measure_accuracy() {
@@ -329,13 +340,11 @@ bool Workspace::measure_accuracy() {
       continue;
     measured = true;
     const DrawnPicture picture = read_picture(device_, *side->targets);
-    if (!accuracy_.has_reference()) {
-      MethodInstance reference{.method = make_method("reference"), .owner = "ground truth", .resources = {}};
-      render_frame(device_, pipelines_, *side->targets, stage_->prelude(), stage_->transparents(), reference);
-      accuracy_.set_reference(read_picture(device_, *side->targets));
-      outdated_ = true;  // the side's images hold the reference now
-    }
-    accuracy_.add(side->method(), picture, side->report.transparency_ms);
+    outdated_ |= !inspector_.truth.is_known();  // the side's images will hold the reference
+    const Prelude prelude = stage_->prelude();
+    const DrawnPicture& exact =
+        inspector_.truth.of({device_, pipelines_, *side->targets, prelude, stage_->transparents()});
+    accuracy_.add(side->method(), picture, exact, side->report.transparency_ms);
   }
   return measured;
 }

@@ -104,6 +104,8 @@ class Workspace {
   /// are shown against it, unless they were. Returns whether there was anything to do.
   bool measure_accuracy();
   const AccuracyLog& accuracy() const { return accuracy_; }
+  /// What views of the error, and the measurements, are held against.
+  const GroundTruth& truth() const { return inspector_.truth; }
   /// Notes the time that has passed: plays, and reads what was changed on disk. True when the picture must
   /// be drawn.
   bool advance(double now_s);
@@ -146,6 +148,7 @@ class Workspace {
   std::vector<PresetDocument*> worked_on(const std::string& effect);
   void open_documents();
   void draw_side(Side& side, glm::uvec2 size, const std::vector<gpu::PassTime>& simulation);
+  bool needs_truth() const;
 
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
