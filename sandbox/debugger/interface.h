@@ -63,6 +63,7 @@ struct Interface {
   Recording recording{};
   Settings settings{};  ///< of the last session; those of this one are taken when it ends
   bool has_ffmpeg = Video::is_available();
+  double overlay_cpu_ms = 0;  ///< that the panels took last: described, and recorded for the device
 };
 
 }  // namespace plume

@@ -61,6 +61,10 @@ void timings_panel(Interface& interface) {
     text(fmt::format("{} frames", side->timings.frames()));
     ImGui::PopID();
   }
+  text(fmt::format("these panels: {:.1f} ms of a processor a frame", interface.overlay_cpu_ms));
+  tooltip(
+      "To describe them and to record their drawing; what the device then takes to draw them is not in it. "
+      "The median of a second.");
   ImGui::Checkbox("measure while paused", &workspace.always_draw);
   tooltip("A paused picture is drawn once; with this, again and again, so that the median means something.");
   ImGui::Checkbox("compare with the reference", &workspace.compares);

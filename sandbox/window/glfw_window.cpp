@@ -5,15 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "renderer/gpu/errors.h"
 
 namespace plume {
 namespace {
-
-constexpr float kStillPixels = 3;  // a hand that clicks trembles
-constexpr float kSamePixels = 6;   // and clicks twice nearly at the same place
 
 [[noreturn]] void refuse(const std::string& what) {
   const char* reason = nullptr;
@@ -28,7 +24,8 @@ static_assert(int(Key::kEscape) == GLFW_KEY_ESCAPE && int(Key::kTab) == GLFW_KEY
               int(Key::kRight) == GLFW_KEY_RIGHT && int(Key::kUp) == GLFW_KEY_UP &&
               int(Key::kHome) == GLFW_KEY_HOME && int(Key::kDelete) == GLFW_KEY_DELETE &&
               int(Key::kEnd) == GLFW_KEY_END && int(Key::kF1) == GLFW_KEY_F1 &&
-              int(Key::kF12) == GLFW_KEY_F12 && int(Key::kLeftShift) == GLFW_KEY_LEFT_SHIFT);
+              int(Key::kF12) == GLFW_KEY_F12 && int(Key::kLeftShift) == GLFW_KEY_LEFT_SHIFT &&
+              int(Key::kRightAlt) == GLFW_KEY_RIGHT_ALT && int(Key::kRightControl) == GLFW_KEY_RIGHT_CONTROL);
 
 /// The monitor that holds most of the window.
 GLFWmonitor* monitor_of(GLFWwindow* window) {
@@ -76,8 +73,8 @@ void GlfwWindow::Destroy::operator()(GLFWwindow* window) const {
   glfwDestroyWindow(window);
 }
 
-GlfwWindow::Events& GlfwWindow::events_of(GLFWwindow* window) {
-  return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+void GlfwWindow::hear(GLFWwindow* window, const WindowEvent& event) {
+  static_cast<InputQueue*>(glfwGetWindowUserPointer(window))->push(event, glfwGetTime());
 }
 
 GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<glm::ivec2> corner) {
@@ -91,44 +88,30 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<
   glfwSetWindowSizeLimits(window_.get(), 320, 180, GLFW_DONT_CARE,
                           GLFW_DONT_CARE);  // panels must stay usable
 
-  // The overlay's own callbacks come later and call these.
   glfwSetWindowUserPointer(window_.get(), events_.get());
   glfwSetKeyCallback(window_.get(), [](GLFWwindow* window, int code, int, int action, int mods) {
-    if (action == GLFW_RELEASE) return;
-    events_of(window).input.keys.push_back(
-        {Key(code), (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+    hear(window, 
+        KeyChanged{.press = {Key(code), (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0},
+                   .down = action != GLFW_RELEASE});
+  });
+  glfwSetCharCallback(window_.get(), [](GLFWwindow* window, unsigned character) {
+    hear(window, TextTyped{character});
   });
   glfwSetMouseButtonCallback(window_.get(), [](GLFWwindow* window, int button, int action, int) {
-    Events& e = events_of(window);
-    if (size_t(button) >= e.held.size()) return;
-    e.held[size_t(button)] = action == GLFW_PRESS;
-    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    if (action == GLFW_PRESS)
-      e.pressed_at = e.pointer;
-    else if (glm::length(e.pointer - e.pressed_at) < kStillPixels)
-      e.click(glfwGetTime());
+    if (size_t(button) < kButtons)
+      hear(window, ButtonChanged{.button = Button(button), .down = action == GLFW_PRESS});
   });
   glfwSetCursorPosCallback(window_.get(), [](GLFWwindow* window, double x, double y) {
-    Events& e = events_of(window);
-    const glm::vec2 here(x, y);
-    for (size_t button = 0; button < e.held.size(); ++button)
-      if (e.held[button]) e.input.drag[button] += here - e.pointer;
-    e.pointer = here;
+    hear(window, PointerMoved{{x, y}});
   });
-  glfwSetScrollCallback(
-      window_.get(), [](GLFWwindow* window, double, double y) { events_of(window).input.wheel += float(y); });
-}
-
-/// GLFW tells when it hears of a click, not when it was made: after a slow picture two at once, or one each
-/// in two calls that follow each other.
-void GlfwWindow::Events::click(double now_s) {
-  const bool soon = now_s - clicked_s < kDoubleClickSeconds || waits - clicked_in <= 1;
-  const bool is_second = soon && glm::length(pointer - clicked_at) < kSamePixels;
-  input.clicks.push_back({pointer, is_second});
-  clicked_at = pointer;
-  clicked_in = waits;
-  clicked_s = is_second ? -1e9 : now_s;  // a third click begins anew
-  if (is_second) clicked_at = glm::vec2(-1e6f);
+  glfwSetCursorEnterCallback(window_.get(), [](GLFWwindow* window, int inside) {
+    double x = 0, y = 0;
+    glfwGetCursorPos(window, &x, &y);
+    inside ? hear(window, PointerMoved{{x, y}}) : hear(window, PointerLeft{});
+  });
+  glfwSetScrollCallback(window_.get(), [](GLFWwindow* window, double x, double y) {
+    hear(window, WheelTurned{{x, y}});
+  });
 }
 
 void GlfwWindow::set_full_screen(bool full_screen) {
@@ -156,10 +139,6 @@ glm::ivec4 GlfwWindow::placement() const {
 
 void GlfwWindow::set_title(const std::string& title) {
   glfwSetWindowTitle(window_.get(), title.c_str());
-}
-
-bool GlfwWindow::holds(Key key) const {
-  return glfwGetKey(window_.get(), int(key)) == GLFW_PRESS;
 }
 
 float GlfwWindow::pixel_ratio() const {
@@ -197,16 +176,20 @@ glm::uvec2 GlfwWindow::size() const {
   return {uint32_t(width), uint32_t(height)};
 }
 
-WindowInput GlfwWindow::wait(double seconds) {
+WindowInput GlfwWindow::next_input() {
+  WindowInput input = events_->take();
+  // Whether it closes is for others to say.
+  input.wants_to_close = glfwWindowShouldClose(window_.get());
+  glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+  return input;
+}
+
+void GlfwWindow::wait(double seconds) {
+  events_->look();
   if (seconds > 0)
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
-  ++events_->waits;
-  // Whether it closes is for others to say.
-  events_->input.wants_to_close = glfwWindowShouldClose(window_.get());
-  glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
-  return std::exchange(events_->input, {});
 }
 
 }  // namespace plume

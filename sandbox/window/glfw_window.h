@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/gpu/vulkan.h"
-#include "sandbox/window/input.h"
+#include "sandbox/window/input_queue.h"
 
 struct GLFWwindow;
 
@@ -33,17 +33,21 @@ class GlfwWindow {
   /// Position and size while it is not full-screen, in screen coordinates.
   glm::ivec4 placement() const;
   void set_title(const std::string& title);
-  bool holds(Key key) const;
-  bool holds_button(Button button) const { return events_->held[size_t(button)]; }
+  // As next_input() left them.
+  bool holds(Key key) const { return events_->holds(key); }
+  bool holds(Button button) const { return events_->holds(button); }
   /// In screen coordinates from the upper left.
-  glm::vec2 pointer() const { return events_->pointer; }
+  glm::vec2 pointer() const { return events_->pointer(); }
   /// Where the left button went down last.
-  glm::vec2 pressed_at() const { return events_->pressed_at; }
+  glm::vec2 pressed_at() const { return events_->pressed_at(); }
   /// Pixels to a screen coordinate, and how much larger than on a common screen things should be drawn.
   float pixel_ratio() const;
   float content_scale() const;
-  /// Sleeps until something happens, at most so long.
-  WindowInput wait(double seconds);
+  /// Sleeps until something happens, at most so long, and notes what did.
+  void wait(double seconds);
+  /// What was done since, step by step: see InputQueue.
+  WindowInput next_input();
+  bool has_input() const { return !events_->empty(); }
   GLFWwindow* handle() const { return window_.get(); }
 
  private:
@@ -56,23 +60,12 @@ class GlfwWindow {
     void operator()(GLFWwindow* window) const;
   };
 
-  struct Events {
-    void click(double now_s);
-
-    WindowInput input;
-    glm::vec2 pointer{0.0f};
-    std::array<bool, 3> held{};  // by Button
-    glm::vec2 pressed_at{0.0f};  // the left one
-    glm::vec2 clicked_at{0.0f};  // last, with it
-    double clicked_s = -1e9;
-    uint64_t clicked_in = 0, waits = 0;  // which call of wait()
-  };
-  static Events& events_of(GLFWwindow* window);
+  static void hear(GLFWwindow* window, const WindowEvent& event);
 
   Library library_;
   std::unique_ptr<GLFWwindow, Destroy> window_;
   glm::ivec4 windowed_{0};  // position and size before it was full-screen
-  std::unique_ptr<Events> events_ = std::make_unique<Events>();  // address handed to GLFW
+  std::unique_ptr<InputQueue> events_ = std::make_unique<InputQueue>();  // address handed to GLFW
 };
 
 }  // namespace plume

@@ -51,6 +51,39 @@ vk::raii::DescriptorPool make_descriptors(const gpu::Device& device) {
   return pool;
 }
 
+/// ImGui 1.86 has no queue of its own, and its backend would ask the desktop for what is true now.
+void feed(const WindowInput& input) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = input.pointer ? ImVec2(input.pointer->x, input.pointer->y) : ImVec2(-FLT_MAX, -FLT_MAX);
+  for (size_t button = 0; button < kButtons; ++button) io.MouseDown[button] = input.held[button];
+  io.MouseWheelH += input.wheel.x;
+  io.MouseWheel += input.wheel.y;
+  for (const KeyChanged& changed : input.key_changes)
+    if (const int code = int(changed.press.key); code >= 0 && code < IM_ARRAYSIZE(io.KeysDown))
+      io.KeysDown[code] = changed.down;
+  const auto either = [&](Key left, Key right) { return io.KeysDown[int(left)] || io.KeysDown[int(right)]; };
+  io.KeyShift = either(Key::kLeftShift, Key::kRightShift);
+  io.KeyCtrl = either(Key::kLeftControl, Key::kRightControl);
+  io.KeyAlt = either(Key::kLeftAlt, Key::kRightAlt);
+  for (const KeyPress& press : input.keys)
+    if (press.key == Key::kEscape) io.NavInputs[ImGuiNavInput_Cancel] = 1.0f;
+  for (const uint32_t character : input.text) io.AddInputCharacter(character);
+}
+
+void draw(const Notice& notice, ImDrawList& list) {
+  const float line = ImGui::GetFontSize();
+  const ImVec2 text = ImGui::CalcTextSize(notice.text.c_str());
+  const ImVec2 size{std::max(text.x, 22 * line) + 2 * line, 4 * line};
+  const ImVec2 corner{notice.middle.x - 0.5f * size.x, notice.middle.y - 0.5f * size.y};
+  const auto at = [&](float x, float y) { return ImVec2(corner.x + x, corner.y + y); };
+  list.AddRectFilled(corner, at(size.x, size.y), IM_COL32(20, 20, 22, 235), 0.4f * line);
+  list.AddText(at(line, 0.8f * line), IM_COL32(235, 235, 235, 255), notice.text.c_str());
+  const float right = size.x - line, top = 2.4f * line, bottom = 3.0f * line;
+  list.AddRectFilled(at(line, top), at(right, bottom), IM_COL32(60, 60, 64, 255));
+  list.AddRectFilled(at(line, top), at(line + (right - line) * notice.share, bottom),
+                     IM_COL32(150, 170, 210, 255));
+}
+
 }  // namespace
 
 Overlay::Context::Context() {
@@ -63,7 +96,7 @@ Overlay::Context::~Context() {
 }
 
 Overlay::WindowBackend::WindowBackend(const GlfwWindow& window) {
-  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), false);  // input comes step by step
 }
 Overlay::WindowBackend::~WindowBackend() {
   ImGui_ImplGlfw_Shutdown();
@@ -92,11 +125,10 @@ Overlay::VulkanBackend::~VulkanBackend() {
   ImGui_ImplVulkan_Shutdown();
 }
 
-Overlay::Overlay(gpu::Device& device, const GlfwWindow& window, vk::Format format)
-    : device_(device),
-      window_(window),
-      render_pass_(make_render_pass(device, format)),
-      window_backend_(window) {}
+Overlay::Overlay(gpu::Device& device, const GlfwWindow* window, vk::Format format)
+    : device_(device), render_pass_(make_render_pass(device, format)) {
+  if (window) window_backend_.emplace(*window);
+}
 
 void Overlay::fit_text(float scale, float pixel_ratio, PresetGallery& gallery) {
   ImGuiStyle style;
@@ -122,29 +154,14 @@ void Overlay::fit_text(float scale, float pixel_ratio, PresetGallery& gallery) {
   pixel_ratio_ = pixel_ratio;
 }
 
-/// ImGui 1.86 is told which keys are down, not which were pressed: a tap between two frames would be lost.
-void Overlay::take_keys(std::span<const KeyPress> pressed) {
-  ImGuiIO& io = ImGui::GetIO();
-  const auto down = [&](Key key) -> bool& { return io.KeysDown[size_t(key)]; };
-  for (const Key key : tapped_) down(key) = window_.holds(key);
-  tapped_.clear();
-  for (const KeyPress& press : pressed) {
-    if (size_t(press.key) >= std::size(io.KeysDown)) continue;  // GLFW knows no name of it
-    if (!down(press.key)) tapped_.push_back(press.key);
-    down(press.key) = true;
-    if (press.key == Key::kEscape) io.NavInputs[ImGuiNavInput_Cancel] = 1.0f;
-  }
-}
-
-void Overlay::begin(float text_scale, float pixel_ratio, std::span<const KeyPress> pressed,
-                    PresetGallery& gallery) {
+void Overlay::begin(float text_scale, float pixel_ratio, const WindowInput& input, PresetGallery& gallery) {
   if (text_scale != text_scale_ || pixel_ratio != pixel_ratio_ || gallery.wants_texture())
     fit_text(text_scale, pixel_ratio, gallery);
   // A key that closes a list must not do what it does otherwise, too. Questions are answered elsewhere.
   list_is_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   ImGui_ImplVulkan_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
-  take_keys(pressed);
+  if (window_backend_) ImGui_ImplGlfw_NewFrame();
+  feed(input);
   ImGui::NewFrame();
 }
 
@@ -159,9 +176,27 @@ bool Overlay::takes_keys() const {
   return ImGui::GetIO().WantTextInput || list_is_open_;
 }
 
-void Overlay::record(const vk::raii::CommandBuffer& commands, const WindowImage& image) {
+bool Overlay::is_whole() const {
+  return ImGui::GetDrawData() != nullptr;
+}
+
+void Overlay::record(const vk::raii::CommandBuffer& commands, const WindowImage& image,
+                     const Notice* notice) {
+  ImDrawData panels = *ImGui::GetDrawData();
+  ImDrawList over(ImGui::GetDrawListSharedData());
+  std::vector<ImDrawList*> lists(panels.CmdLists, panels.CmdLists + panels.CmdListsCount);
+  if (notice) {
+    over._ResetForNewFrame();
+    over.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    over.PushClipRectFullScreen();
+    draw(*notice, over);
+    lists.push_back(&over);
+    panels.CmdLists = lists.data();
+    panels.CmdListsCount = int(lists.size());
+    panels.TotalVtxCount += over.VtxBuffer.Size;
+    panels.TotalIdxCount += over.IdxBuffer.Size;
+  }
   // The window may have shrunk since the panels were described, and nothing may be drawn beyond the image.
-  ImDrawData& panels = *ImGui::GetDrawData();
   panels.DisplaySize.x =
       std::min(panels.DisplaySize.x, float(image.extent.width) / panels.FramebufferScale.x);
   panels.DisplaySize.y =

@@ -1,5 +1,7 @@
 #include "sandbox/window/viewer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +12,10 @@
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/picture.h"
 #include "sandbox/measure/pixel_probe_text.h"
+#include "sandbox/measure/statistics.h"
 #include "sandbox/window/composition.h"
 #include "sandbox/workspace/camera_moves.h"
+#include "sandbox/workspace/cpu_clock.h"
 
 namespace plume {
 namespace {
@@ -20,6 +24,7 @@ constexpr double kIdleSeconds = 0.05;  // how long a tooltip may take to appear 
 constexpr float kDegreesPerPixel = 0.25f;
 constexpr float kFlyMetresPerSecond = 3.0f, kFlyFast = 4.0f;
 constexpr double kLongestStep = 0.1;  // s: a slow picture is no reason to fly through a wall
+constexpr double kTellSeconds = 0.1;  // between two notices of what is made ready
 constexpr float kDividerReach = 6;    // screen coordinates to both sides
 
 /// An id, or the path of a file that is not in the library.
@@ -38,17 +43,30 @@ Viewer::Viewer(GlfwWindow& window, Workspace& workspace)
       workspace_(workspace),
       interface_{workspace},
       swapchain_(workspace.device(), window.make_surface(workspace.device().instance())),
-      overlay_(workspace.device(), window, swapchain_.format()) {}
+      overlay_(workspace.device(), &window, swapchain_.format()) {
+  workspace_.pipelines().listen([this](const gpu::Preparing& preparing) { tell(preparing); });
+}
+
+Viewer::~Viewer() {
+  workspace_.pipelines().listen({});
+}
 
 void Viewer::run(uint32_t frames) {
   std::string scene = workspace_.scene().file;
+  int settling = 2;  // ImGui lays out what it has seen: what is shown first should stay where it is
   for (uint32_t shown = 0; !interface_.closing && (frames == 0 || shown < frames);) {
-    const WindowInput input = window_.wait(idle_s());
-    overlay_.begin(window_.content_scale() / window_.pixel_ratio() * interface_.text_scale,
-                   window_.pixel_ratio(), input.keys, interface_.gallery);
-    area_ = describe_panels(interface_);
-    react_to(input);
-    overlay_.end();
+    window_.wait(idle_s());
+    do {
+      const WindowInput input = window_.next_input();
+      const double before_ms = thread_cpu_ms();
+      overlay_.begin(window_.content_scale() / window_.pixel_ratio() * interface_.text_scale,
+                     window_.pixel_ratio(), input, interface_.gallery);
+      area_ = describe_panels(interface_);
+      react_to(input);
+      overlay_.end();
+      overlay_ms_ = thread_cpu_ms() - before_ms;
+      settling = std::max(settling - 1, 0);
+    } while (window_.has_input() || settling > 0);
     if (scene != workspace_.scene().file) {
       scene = workspace_.scene().file;
       visit_scene(interface_.settings, name_of(workspace_.scene(), workspace_.library()));
@@ -60,12 +78,15 @@ void Viewer::run(uint32_t frames) {
     if (interface_.recording.advance(workspace_)) {
       // it draws for itself
     } else if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) {
+      if (drawn_for_ == glm::uvec2(0)) show();  // the panels, before the first picture is there
       draw();
     } else if (workspace_.compares && !workspace_.playback.playing() && !dragging_) {
       workspace_.measure_accuracy();
     }
     interface_.crosshair.update(workspace_, now_s());
-    if (show()) ++shown;
+    if (!show()) continue;
+    ++shown;
+    note_overlay();
   }
 }
 
@@ -73,6 +94,7 @@ void Viewer::draw() {
   const bool moves = workspace_.playback.playing() || dragging_;
   drawn_for_ = picture_area();
   workspace_.draw(drawn_for_);
+  note_whole();
   interface_.recording.note(workspace_);
   if (moves && workspace_.resolution.learn(workspace_.frame_ms())) workspace_.change();
 }
@@ -81,12 +103,12 @@ void Viewer::react_to(const WindowInput& input) {
   if (!overlay_.takes_keys())
     for (const KeyPress& pressed : input.keys) press(pressed, interface_);
   if (input.wants_to_close) close_window(interface_);
-  const bool held = window_.holds_button(Button::kLeft) || window_.holds_button(Button::kMiddle) ||
-                    window_.holds_button(Button::kRight);
+  const bool held =
+      window_.holds(Button::kLeft) || window_.holds(Button::kMiddle) || window_.holds(Button::kRight);
   dragging_ = held && !overlay_.takes_pointer();
   if (!held) starts_drag_ = true;
   if (!held) drags_divider_ = false;
-  if (!window_.holds_button(Button::kLeft)) let_go_of_instance(interface_);
+  if (!window_.holds(Button::kLeft)) let_go_of_instance(interface_);
   if (!overlay_.takes_pointer()) {
     drag_divider(input);
     drag_effect(input);
@@ -146,16 +168,16 @@ void Viewer::place_crosshair(glm::vec2 pointer) {
 void Viewer::move_camera(const WindowInput& input) {
   const auto& [left, right, middle] = input.drag;
   if (drags_divider_ || interface_.effects.held ||
-      (left == glm::vec2(0) && right == glm::vec2(0) && middle == glm::vec2(0) && input.wheel == 0))
+      (left == glm::vec2(0) && right == glm::vec2(0) && middle == glm::vec2(0) && input.wheel.y == 0))
     return;
   CameraKey camera = orbit(workspace_.camera(), left * kDegreesPerPixel);
   camera = look(camera, glm::vec2(right.x, -right.y) * kDegreesPerPixel);
   camera = pan(camera, middle / area_.size.y);
-  workspace_.set_camera(zoom(camera, input.wheel));
+  workspace_.set_camera(zoom(camera, input.wheel.y));
 }
 
 void Viewer::fly(double seconds) {
-  if (!window_.holds_button(Button::kRight) || overlay_.takes_keys()) return;
+  if (!window_.holds(Button::kRight) || overlay_.takes_keys()) return;
   const auto push = [&](char ahead, char back) {
     return float(window_.holds(key(ahead))) - float(window_.holds(key(back)));
   };
@@ -169,7 +191,35 @@ glm::uvec2 Viewer::picture_area() const {
   return glm::max(glm::uvec2(area_.size * window_.pixel_ratio()), glm::uvec2(1));
 }
 
-bool Viewer::show() {
+/// A picture is not drawn to its end while shaders are made ready for it; the last one stays.
+void Viewer::note_whole() {
+  whole_ = {};
+  if (workspace_.a.targets) whole_[0] = workspace_.a.targets->display.vk();
+  if (workspace_.b.targets) whole_[1] = workspace_.b.targets->display.vk();
+}
+
+void Viewer::note_overlay() {
+  overlays_ms_.push_back(overlay_ms_);
+  if (now_s() - overlays_since_s_ < 1.0) return;
+  interface_.overlay_cpu_ms = summarise(overlays_ms_).median;
+  overlays_ms_.clear();
+  overlays_since_s_ = now_s();
+}
+
+void Viewer::tell(const gpu::Preparing& preparing) {
+  window_.wait(0);
+  if (now_s() - told_s_ < kTellSeconds || !overlay_.is_whole() || window_.size() == glm::uvec2(0)) return;
+  Notice notice{.text = fmt::format("preparing shaders: {}", preparing.what),
+                .middle = area_.corner + 0.5f * area_.size};
+  if (preparing.total > 0) {
+    notice.share = float(preparing.done) / float(preparing.total);
+    notice.text += fmt::format(" ({} of {} passes)", preparing.done, preparing.total);
+  }
+  show(&notice);
+  told_s_ = now_s();
+}
+
+bool Viewer::show(const Notice* notice) {
   const float ratio = window_.pixel_ratio();
   const glm::ivec2 corner(area_.corner * ratio);
   const glm::uvec2 size = picture_area();
@@ -181,14 +231,19 @@ bool Viewer::show() {
   std::vector<PlacedPicture> pictures;
   const bool split = workspace_.comparison() == Comparison::kSplit;
   const float border = split ? workspace_.divider : workspace_.shows(workspace_.a) ? 1.0f : 0.0f;
-  if (border > 0 && workspace_.a.targets)
+  const auto is_shown = [&](const std::optional<Targets>& targets, vk::Image whole) {
+    return targets && (!notice || targets->display.vk() == whole);
+  };
+  if (border > 0 && is_shown(workspace_.a.targets, whole_[0]))
     pictures.push_back({&workspace_.a.targets->display, 0, border, columns(0, border)});
-  if (border < 1 && workspace_.b.targets)
+  if (border < 1 && is_shown(workspace_.b.targets, whole_[1]))
     pictures.push_back({&workspace_.b.targets->display, border, 1, columns(border, 1)});
   return swapchain_.show(window_.size(),
                          [&](const vk::raii::CommandBuffer& commands, const WindowImage& image) {
                            record_composition(commands, pictures, image);
-                           overlay_.record(commands, image);
+                           const double before_ms = thread_cpu_ms();
+                           overlay_.record(commands, image, notice);
+                           overlay_ms_ += thread_cpu_ms() - before_ms;
                          });
 }
 

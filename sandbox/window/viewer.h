@@ -14,6 +14,8 @@ namespace plume {
 class Viewer {
  public:
   Viewer(GlfwWindow& window, Workspace& workspace);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
 
   Interface& interface() { return interface_; }
   /// Until the user closes the window, or so many frames were shown (0: no such end).
@@ -35,7 +37,10 @@ class Viewer {
   void react_to(const WindowInput::Click& click);
   void drag_effect(const WindowInput& input);
   void draw();
-  bool show();
+  void note_whole();
+  void note_overlay();
+  bool show(const Notice* notice = nullptr);
+  void tell(const gpu::Preparing& preparing);
   glm::uvec2 picture_area() const;
   double now_s() const;
   double idle_s() const;
@@ -51,7 +56,11 @@ class Viewer {
   bool starts_drag_ = true;           // nothing was dragged since the left button went down
   std::optional<glm::vec2> clicked_;  // and it may yet be a double click
   double clicked_s_ = 0;
-  double last_s_ = 0;
+  double last_s_ = 0, told_s_ = 0;
+  double overlay_ms_ = 0;            // of the frame that is being shown
+  std::vector<double> overlays_ms_;  // of the frames of this second
+  double overlays_since_s_ = 0;
+  std::array<vk::Image, 2> whole_{};  // displayed images that have been drawn to their end, of A and B
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
