@@ -15,7 +15,6 @@ namespace {
 constexpr ImU32 kGround = IM_COL32(14, 14, 16, 255), kSlice = IM_COL32(255, 255, 255, 26),
                 kOutline = IM_COL32(255, 255, 255, 130), kFill = IM_COL32(95, 160, 255, 190),
                 kChosen = IM_COL32(255, 205, 90, 220), kInk = IM_COL32(255, 255, 255, 220);
-constexpr size_t kBins = 48;
 constexpr float kLeastSlicePixels = 3;  // closer lines would be a grey ground
 
 /// Depth from left to right, by its logarithm.
@@ -27,13 +26,12 @@ struct Ruler {
   }
 };
 
-std::array<float, kBins> shares(const EmitterDepths& emitter, const Ruler& ruler, float offset_m,
-                                float near_m) {
-  std::array<float, kBins> bins{};
+DepthBins::Bins binned(const EmitterDepths& emitter, const DepthBins& over, float offset_m, float near_m) {
+  DepthBins::Bins bins{};
+  const float scale = float(DepthBins::kBins) / std::log(over.farthest_m / over.nearest_m);
   for (const float depth : emitter.depths_m) {
-    const float at = std::max(depth - offset_m, 2 * near_m);
-    const float share = (ruler.x(at) - ruler.left) / (ruler.right - ruler.left);
-    ++bins[std::min(size_t(share * kBins), kBins - 1)];
+    const float at = std::log(std::max(depth - offset_m, 2 * near_m) / over.nearest_m) * scale;
+    ++bins[size_t(std::clamp(at, 0.0f, float(DepthBins::kBins - 1)))];
   }
   const float most = std::max(*std::ranges::max_element(bins), 1.0f);
   for (float& bin : bins) bin /= most;
@@ -51,11 +49,11 @@ void draw_slices(ImDrawList& draw, const DepthSlices& slices, const Ruler& ruler
   }
 }
 
-void draw_row(ImDrawList& draw, const EmitterDepths& emitter, const Ruler& ruler, float near_m, float top,
-              float bottom, bool chosen) {
-  const auto is = shares(emitter, ruler, 0, near_m), drawn = shares(emitter, ruler, emitter.offset_m, near_m);
-  const float width = (ruler.right - ruler.left) / kBins, height = bottom - top;
-  for (size_t i = 0; i < kBins; ++i) {
+void draw_row(ImDrawList& draw, const EmitterDepths& emitter, const DepthBins::Row& row, const Ruler& ruler,
+              float near_m, float top, float bottom, bool chosen) {
+  const auto& [is, drawn] = row;
+  const float width = (ruler.right - ruler.left) / DepthBins::kBins, height = bottom - top;
+  for (size_t i = 0; i < DepthBins::kBins; ++i) {
     const float x = ruler.left + float(i) * width;
     if (drawn[i] > 0)
       draw.AddRectFilled({x, bottom - drawn[i] * height}, {x + width, bottom}, chosen ? kChosen : kFill);
@@ -88,20 +86,31 @@ std::string said(const EmitterDepths& emitter, float near_m, const std::optional
 
 }  // namespace
 
-void depth_ruler(std::span<const EmitterDepths> emitters, std::optional<size_t> chosen, float near_m,
-                 const std::optional<DepthSlices>& slices) {
+DepthBins depth_bins(std::span<const EmitterDepths> emitters, float near_m) {
   float nearest = INFINITY, farthest = 0;
-  for (const EmitterDepths& emitter : emitters)
-    for (const float depth : emitter.depths_m) {
+  for (const EmitterDepths& emitter : emitters) {
+    if (emitter.depths_m.empty()) continue;
+    for (const float depth : {emitter.depths_m.front(), emitter.depths_m.back()}) {  // ascending
       const float drawn = emitter.drawn_m(depth, near_m);
       nearest = std::min({nearest, depth, drawn}), farthest = std::max({farthest, depth, drawn});
     }
-  if (!(nearest <= farthest)) return note("No particle of it lives at this tick.");
+  }
+  if (!(nearest <= farthest)) return {};
+  DepthBins bins{.nearest_m = nearest / 1.1f, .farthest_m = farthest * 1.1f, .rows = {}};
+  for (const EmitterDepths& emitter : emitters)
+    bins.rows.push_back(
+        {.is = binned(emitter, bins, 0, near_m), .drawn = binned(emitter, bins, emitter.offset_m, near_m)});
+  return bins;
+}
+
+void depth_ruler(std::span<const EmitterDepths> emitters, const DepthBins& bins, std::optional<size_t> chosen,
+                 float near_m, const std::optional<DepthSlices>& slices) {
+  if (bins.rows.empty()) return note("No particle of it lives at this tick.");
   const float line = ImGui::GetFontSize();
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x, 40.0f), row = 1.7f * line;
   const ImVec2 size{width, row * float(emitters.size()) + line};
-  const Ruler ruler{from.x + 2, from.x + width - 2, nearest / 1.1f, farthest * 1.1f};
+  const Ruler ruler{from.x + 2, from.x + width - 2, bins.nearest_m, bins.farthest_m};
   ImGui::Dummy(size);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float bottom = from.y + size.y - line;
@@ -109,7 +118,7 @@ void depth_ruler(std::span<const EmitterDepths> emitters, std::optional<size_t> 
   if (slices) draw_slices(draw, *slices, ruler, from.y, bottom);
   for (size_t i = 0; i < emitters.size(); ++i) {
     const float top = from.y + row * float(i);
-    draw_row(draw, emitters[i], ruler, near_m, top + 2, top + row - 2, chosen == i);
+    draw_row(draw, emitters[i], bins.rows[i], ruler, near_m, top + 2, top + row - 2, chosen == i);
     draw.AddText({from.x + 4, top + 1}, kInk, emitters[i].name.c_str());
     const ImVec2 corner{from.x, top}, end{from.x + width, top + row};
     if (ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered())

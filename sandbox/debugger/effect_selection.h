@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sandbox/workspace/emitter_depths.h"
+#include "sandbox/debugger/depth_ruler.h"
 
 namespace plume {
 
@@ -13,7 +13,9 @@ namespace plume {
 struct SeenDepths {
   uint64_t picture = 0;  ///< see Workspace::picture()
   std::string instance;
+  double at_s = -1e9;  ///< when they were read: a playing scene would wait at every picture
   std::vector<EmitterDepths> emitters;
+  DepthBins bins;
 };
 
 /// An instance that the pointer has hold of.

@@ -17,8 +17,9 @@
 namespace plume {
 namespace {
 
-constexpr float kTreeLines = 10;  // of the hierarchy, at most
-constexpr size_t kFew = 3;        // instances that need not be opened by hand
+constexpr double kDepthsPerSecond = 4;  // read while pictures follow each other
+constexpr float kTreeLines = 10;        // of the hierarchy, at most
+constexpr size_t kFew = 3;              // instances that need not be opened by hand
 
 PresetDocument* document_of(Interface& interface) {
   const std::string& name = interface.effects.name;
@@ -354,11 +355,17 @@ void depths(Interface& interface) {
   SeenDepths& seen = selection.depths;
   const auto index = selected_instance(interface);
   if (!index) return ImGui::TreePop();
-  if (seen.picture != workspace.picture() || seen.instance != selection.instance)
-    seen = {workspace.picture(), selection.instance,
-            emitter_depths(workspace.stage(), *index, workspace.camera())};
+  const bool is_due = ImGui::GetTime() - seen.at_s >= 1.0 / kDepthsPerSecond;
+  if (seen.instance != selection.instance || (seen.picture != workspace.picture() && is_due)) {
+    seen = {.picture = workspace.picture(),
+            .instance = selection.instance,
+            .at_s = ImGui::GetTime(),
+            .emitters = emitter_depths(workspace.stage(), *index, workspace.camera()),
+            .bins = {}};
+    seen.bins = depth_bins(seen.emitters, workspace.scene().near_m);
+  }
   Side& side = workspace.shows(workspace.a) ? workspace.a : workspace.b;
-  depth_ruler(seen.emitters, selection.emitter, workspace.scene().near_m,
+  depth_ruler(seen.emitters, seen.bins, selection.emitter, workspace.scene().near_m,
               depth_slices(*side.method().method));
   ImGui::TreePop();
 }
