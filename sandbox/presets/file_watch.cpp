@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sandbox/presets/diagnostics.h"
-#include "sandbox/presets/table_reader.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 namespace fs = std::filesystem;

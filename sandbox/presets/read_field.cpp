@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sandbox/presets/diagnostics.h"
-#include "sandbox/presets/table_reader.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 namespace {

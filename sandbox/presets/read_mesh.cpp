@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "renderer/parameters.h"
-#include "sandbox/presets/table_reader.h"
+#include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 namespace {

@@ -18,8 +18,6 @@
 #pragma pop_macro("NDEBUG")
 
 #include <array>
-#include <filesystem>
-#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -30,6 +28,7 @@
 #include "sandbox/effects/effect.h"
 #include "sandbox/presets/diagnostics.h"
 #include "sandbox/presets/field.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 
@@ -91,7 +90,7 @@ class TableReader {
     size_t at_least = 1, at_most = SIZE_MAX;
   };
   bool points(std::string_view key, const Column& first, const Column& second, Length length, Points& value);
-  using Read = std::function<void(TableReader&)>;
+  using Read = ReadTable;
   bool table(std::string_view key, const Read& read, Need need = Need::kOptional);
   /// [[key]] tables; a single [key] counts as one. Calls `read` for each, in order.
   void tables(std::string_view key, size_t at_most, const Read& read, Need need = Need::kOptional);
@@ -117,7 +116,7 @@ class TableReader {
 
  private:
   friend void read_noting(std::string_view text, const std::string& file, const Read& read,
-                          std::vector<Field>* fields);
+                          std::vector<Field>* fields);  // preset_file.cpp
   TableReader(const TableReader& outer, const toml::table& table, std::string name, std::string path,
               std::vector<Diagnostic>& found);
   void read_inside(const toml::table& table, std::string name, std::string path, const Read& read);
@@ -146,22 +145,6 @@ class TableReader {
   bool absent_ = false;  // an empty table stands for one that is not there
   std::vector<std::string> known_;
 };
-
-/// The text of a file of at most 4 MiB; throws FileErrors when it cannot be read.
-std::string load_text(const std::filesystem::path& path);
-
-/// Parses `text` and hands its top table to `read`; throws FileErrors with everything wrong, in the order of
-/// the file. A syntax error ends reading at once, because toml++ cannot go on after one.
-void read_document(std::string_view text, const std::string& file, const TableReader::Read& read);
-
-/// All that `read` asks for, in that order: what the text says and what it could say. Tables that are absent
-/// are read too, as empty ones, so what `read` makes on the way is no good. Mistakes are passed over; where
-/// the text is no TOML there is nothing.
-std::vector<Field> asked_fields(std::string_view text, const std::string& file,
-                                const TableReader::Read& read);
-
-/// The id of the preset in a file: its name without folder and extension.
-std::string preset_id(const std::string& file);
 
 }  // namespace plume
 #endif

@@ -6,8 +6,8 @@
 #include <regex>
 
 #include "sandbox/effects/bounds.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_effect.h"
-#include "sandbox/presets/table_reader.h"
 #include "sandbox/scene/view.h"
 #include "tests/gpu/finite.h"
 #include "tests/gpu/moving_particles.h"

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/table_reader.h"
 #include "sandbox/presets/toml_layout.h"
 
