@@ -125,7 +125,8 @@ struct VectorField {
   float strength = 1.0f;  ///< times the file's vectors
   float scale = 1.0f;     ///< metres per unit of the file's bounds
   glm::vec3 offset_m{0.0f};
-  bool operator==(const VectorField&) const = default;
+  /// By what is in the grid, which each reading makes anew.
+  bool operator==(const VectorField& other) const;
 };
 
 /// Where particles end.
@@ -236,10 +237,6 @@ struct Emitter {
   Look look;
 };
 
-/// Whether the particles of emitter `i` of one version of an effect have the same states as those of `j` of
-/// another: what they look like does not matter, what their ancestors do does.
-bool same_states(const std::vector<Emitter>& a, size_t i, const std::vector<Emitter>& b, size_t j);
-
 /// What an instance does while nobody sees it.
 enum class OffScreen : uint32_t {
   kContinue,  ///< its time goes on: it is then as if it had been seen all the while
@@ -256,6 +253,10 @@ struct Effect {
   std::vector<Mesh> meshes;  ///< each that an emitter names, once
   std::string text;          ///< that it was read from
 };
+
+/// Whether the particles of emitter `i` of one version of an effect have the same states as those of `j` of
+/// another: what they look like does not matter, what their ancestors do does.
+bool same_states(const Effect& a, size_t i, const Effect& b, size_t j);
 
 }  // namespace plume
 #endif

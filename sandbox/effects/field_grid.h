@@ -11,6 +11,7 @@ struct FieldGrid {
   glm::uvec3 size{0};            ///< cells along x, y, z
   glm::vec3 low{0}, high{0};     ///< corners of the grid
   std::vector<glm::vec3> cells;  ///< at the cells' centres; x fastest, then y
+  bool operator==(const FieldGrid&) const = default;
 };
 
 }  // namespace plume

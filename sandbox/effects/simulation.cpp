@@ -54,11 +54,11 @@ void Simulation::count_loops(const EmitterState& emitter) {
 void Simulation::adopt(Simulation& old, const std::vector<std::optional<uint32_t>>& was) {
   for (EmitterState& emitter : instances_.emitters) {
     if (!was[emitter.call]) continue;
-    const std::vector<Emitter>& now = instances_.calls[emitter.call].described();
-    const std::vector<Emitter>& then = old.instances_.calls[*was[emitter.call]].described();
-    const auto found = std::ranges::find(then, now[emitter.index].name, &Emitter::name);
-    const size_t index = size_t(found - then.begin());
-    if (found == then.end() || !same_states(now, emitter.index, then, index)) continue;
+    const Effect& now = *instances_.calls[emitter.call].call.effect;
+    const Effect& then = *old.instances_.calls[*was[emitter.call]].call.effect;
+    const auto found = std::ranges::find(then.emitters, now.emitters[emitter.index].name, &Emitter::name);
+    const size_t index = size_t(found - then.emitters.begin());
+    if (found == then.emitters.end() || !same_states(now, emitter.index, then, index)) continue;
     const EmitterState& same = old.instances_.emitter_of(*was[emitter.call], uint32_t(index));
     emitter.reached = same.reached;
     emitter.base = same.base;

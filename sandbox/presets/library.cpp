@@ -7,11 +7,11 @@
 
 #include "renderer/parameters.h"
 #include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_effect.h"
 #include "sandbox/presets/read_mesh.h"
 #include "sandbox/presets/read_replay.h"
 #include "sandbox/presets/read_scene.h"
-#include "sandbox/presets/table_reader.h"
 
 namespace plume {
 namespace fs = std::filesystem;
@@ -74,6 +74,13 @@ std::optional<fs::path> PresetLibrary::picture(PresetKind kind, std::string_view
   return fs::exists(picture, unreadable) ? std::optional(std::move(picture)) : std::nullopt;
 } catch (const PresetError&) {
   return std::nullopt;
+}
+
+fs::path PresetLibrary::place(PresetKind kind, std::string_view name) const try {
+  return find(kind, name);
+} catch (const PresetError&) {
+  if (name.find('/') != name.npos || name.ends_with(traits(kind).extension)) return name;
+  return root_ / traits(kind).folder / fmt::format("{}{}", name, traits(kind).extension);
 }
 
 Effect PresetLibrary::effect(std::string_view name) const {

@@ -45,6 +45,8 @@ class PresetLibrary {
   /// The small picture of an effect or a scene: kPictureSize pixels, in pictures/effects/ or pictures/scenes/
   /// beside the folder that its file is in. Nothing: there is none, or no such preset.
   std::optional<std::filesystem::path> picture(PresetKind kind, std::string_view name) const;
+  /// As find(); where there is none, the file that it would be, which may come to be.
+  std::filesystem::path place(PresetKind kind, std::string_view name) const;
 
   /// Find and read; throw PresetError or FileErrors.
   Effect effect(std::string_view name) const;  ///< with the meshes it names

@@ -7,9 +7,9 @@
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/presets/edit_consequences.h"
 #include "sandbox/presets/field_toml.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_effect.h"
 #include "sandbox/presets/read_scene.h"
-#include "sandbox/presets/table_reader.h"
 #include "sandbox/presets/toml_edit.h"
 #include "sandbox/presets/toml_layout.h"
 #include "sandbox/presets/value_path.h"
@@ -48,14 +48,56 @@ std::variant<Effect, Scene> PresetDocument::read(const std::string& text) const 
   return scene;
 }
 
+/// Those that it named before are watched on, others from what they have now.
+void PresetDocument::watch_parts() {
+  std::map<std::filesystem::path, FileWatch> named;
+  const auto name = [&](const std::filesystem::path& path) {
+    if (const auto watched = parts_.find(path); watched != parts_.end()) {
+      named.insert(*watched);
+      return;
+    }
+    std::string contents;
+    try {
+      contents = load_text(path);
+    } catch (const FileErrors&) {
+      // It is news when it is there.
+    }
+    named.emplace(path, FileWatch(path, contents));
+  };
+  for (const Field& field : fields_) {
+    std::vector<std::string> ids;
+    if (const auto* one = std::get_if<std::string>(&field.value)) ids = {*one};
+    if (const auto* several = std::get_if<Texts>(&field.value)) ids = *several;
+    for (const std::string& id : ids) {
+      if (id.empty()) continue;
+      if (field.names == "field") name(field_folder(path_) / (id + ".fga"));
+      if (field.names == "mesh") name(library_.place(PresetKind::kMesh, id));
+    }
+  }
+  parts_ = std::move(named);
+}
+
+void PresetDocument::poll_parts() {
+  bool news = false;
+  for (auto& [path, watch] : parts_) {
+    const FileWatch::News found = watch.poll();
+    if (found == FileWatch::News::kGone) watch.know("");  // then its return is news
+    news |= found != FileWatch::News::kNone;
+  }
+  if (news) refresh();
+}
+
 void PresetDocument::refresh() {
   fields_ = describe(text());
+  watch_parts();
   try {
     good_ = read(text());
     diagnostics_.clear();
     ++revision_;
   } catch (const FileErrors& errors) {
     diagnostics_ = errors.diagnostics();
+  } catch (const PresetError& gone) {  // while it was read
+    diagnostics_ = {{path_.string(), 1, 1, gone.what()}};
   }
 }
 
@@ -97,6 +139,7 @@ PresetDocument::Outcome PresetDocument::step_to(std::string text, std::string na
   if (mistakes.size() > diagnostics_.size()) return {false, std::move(mistakes)};
   history_.step(std::move(text), std::move(name), gesture);
   fields_ = describe(history_.text());
+  watch_parts();
   diagnostics_ = mistakes;
   if (read_back) good_ = std::move(read_back), ++revision_;
   return {true, std::move(mistakes)};
@@ -182,6 +225,7 @@ void PresetDocument::save_as(const std::filesystem::path& path) {
 }
 
 PresetDocument::Disk PresetDocument::poll() {
+  poll_parts();
   switch (watch_.poll()) {
     case FileWatch::News::kNone:
       return Disk::kSame;

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -90,6 +91,8 @@ class PresetDocument {
   /// kReloaded: it was changed by another program and read again, one step of undo; diagnostics() has its
   /// mistakes. kConflict: the same, but there is something to save: save(kOverwrite) or reload() decides.
   enum class Disk { kSame, kReloaded, kConflict, kGone };
+  /// Meshes and vector fields that it names are looked at too: where one has changed, the text is read again
+  /// with it, which is no step of undo. One that breaks is among the diagnostics, and the last good runs.
   Disk poll();
   /// What is on disk, one step of undo. Throws FileErrors when it cannot be read.
   void reload();
@@ -101,6 +104,8 @@ class PresetDocument {
   std::variant<Effect, Scene> read(const std::string& text) const;
   Outcome step_to(std::string text, std::string name, std::string_view gesture);
   void refresh();
+  void watch_parts();
+  void poll_parts();
   std::string title(std::string_view path) const;
 
   std::filesystem::path path_;
@@ -109,6 +114,7 @@ class PresetDocument {
   std::string on_disk_;
   TextHistory history_;
   FileWatch watch_;
+  std::map<std::filesystem::path, FileWatch> parts_;  // meshes and vector fields that the text names
   std::vector<Field> fields_;
   std::vector<Diagnostic> diagnostics_;
   std::optional<std::variant<Effect, Scene>> good_;

@@ -214,8 +214,7 @@ void read_bounds(TableReader& table, Effect& effect) {
 }
 
 void read_top(TableReader& top, Effect& effect) {
-  const std::filesystem::path grids =
-      std::filesystem::path(top.file()).parent_path().parent_path() / "fields";
+  const std::filesystem::path grids = field_folder(top.file());
   top.text("name", effect.name, Need::kRequired);
   top.text("description", effect.description);
   top.choice("off_screen", effect.off_screen, kOffScreen);
@@ -276,6 +275,10 @@ Effect read_effect_text(std::string_view text, const std::string& file) {
 std::vector<Field> effect_fields(std::string_view text, const std::string& file) {
   Effect unused;
   return asked_fields(text, file, [&](TableReader& top) { read_top(top, unused); });
+}
+
+std::filesystem::path field_folder(const std::filesystem::path& file) {
+  return file.parent_path().parent_path() / "fields";
 }
 
 std::vector<MeshName> mesh_names(const Effect& effect) {

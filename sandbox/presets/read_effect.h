@@ -29,6 +29,9 @@ Effect read_effect_text(std::string_view text, const std::string& file);
 /// be read where the text has mistakes, and nothing where it is no TOML.
 std::vector<Field> effect_fields(std::string_view text, const std::string& file);
 
+/// Where the vector fields are that the effect in a file names.
+std::filesystem::path field_folder(const std::filesystem::path& file);
+
 /// Every mesh that an emitter names, in the order of the file.
 std::vector<MeshName> mesh_names(const Effect& effect);
 /// A diagnostic for each of them that the library does not have.

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "sandbox/measure/file_bytes.h"
-#include "sandbox/presets/table_reader.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 namespace {
@@ -271,6 +271,72 @@ TEST_F(PresetDocumentTest, KeepsTheLastGoodEffectWhenItsFileBreaks) {
   EXPECT_EQ(document.poll(), PresetDocument::Disk::kReloaded);
   EXPECT_TRUE(document.diagnostics().empty());
   EXPECT_EQ(document.effect()->emitters[0].shape.radius_m, 0.5f);
+}
+
+constexpr std::string_view kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST_F(PresetDocumentTest, ReadsAChangedMeshAnew) {
+  const fs::path mesh = root_ / "meshes" / "tri.obj";
+  const auto write_mesh = [&](std::string_view text) { std::ofstream(mesh, std::ios::binary) << text; };
+  write_mesh(kTriangle);
+  write(with(std::string(kSmall), "kind = \"sphere\"   # round\n  radius_m = 0.50\n  thickness = 0.2",
+             "kind = \"mesh\"\n  mesh = \"tri\""));
+  PresetDocument document = open();
+  const auto corner = [&] { return document.effect()->meshes.at(0).triangles.at(0)[1].x; };
+  ASSERT_EQ(corner(), 1.0f);
+  uint64_t revision = document.revision();
+  EXPECT_EQ(document.poll(), PresetDocument::Disk::kSame);
+  EXPECT_EQ(document.revision(), revision) << "nothing was changed";
+
+  write_mesh(with(std::string(kTriangle), "v 1 0 0", "v 2 0 0"));
+  document.poll();
+  EXPECT_EQ(corner(), 2.0f);
+  EXPECT_GT(document.revision(), revision);
+  EXPECT_FALSE(document.is_changed()) << "its own text is as it was";
+  EXPECT_FALSE(document.undo());
+
+  revision = document.revision();
+  write_mesh("v 1 0\n");
+  document.poll();
+  ASSERT_FALSE(document.diagnostics().empty());
+  EXPECT_EQ(document.diagnostics()[0].file, mesh.string());
+  EXPECT_EQ(document.diagnostics()[0].line, 1u);
+  EXPECT_EQ(corner(), 2.0f) << "the last good one";
+  EXPECT_EQ(document.revision(), revision);
+
+  fs::remove(mesh);
+  document.poll();
+  ASSERT_FALSE(document.diagnostics().empty());
+  EXPECT_EQ(document.diagnostics()[0].file, file_.string()) << "where it is named";
+  write_mesh(kTriangle);
+  document.poll();
+  EXPECT_TRUE(document.diagnostics().empty());
+  EXPECT_EQ(corner(), 1.0f);
+}
+
+TEST_F(PresetDocumentTest, ReadsAChangedVectorFieldAnew) {
+  fs::create_directories(root_ / "fields");
+  const fs::path field = root_ / "fields" / "flow.fga";
+  const auto write_field = [&](std::string_view text) { std::ofstream(field, std::ios::binary) << text; };
+  write_field("1,1,1, 0,0,0, 1,1,1, 0,1,0");
+  PresetDocument document = open();
+  const std::string text = with(std::string(kSmall), "  [emitter.look]\n  layer",
+                                "    [emitter.motion.field]\n    file = \"flow\"\n    as = \"force\"\n"
+                                "  [emitter.look]\n  layer");
+  write(text);
+  ASSERT_EQ(document.poll(), PresetDocument::Disk::kReloaded);
+  ASSERT_TRUE(document.diagnostics().empty()) << to_string(document.diagnostics()[0]);
+  const auto up = [&] { return document.effect()->emitters[0].motion.field->grid->cells[0].y; };
+  ASSERT_EQ(up(), 1.0f);
+  write_field("1,1,1, 0,0,0, 1,1,1, 0,3,0");
+  document.poll();
+  EXPECT_EQ(up(), 3.0f);
+  write_field("1,1,1,\n0,0,0, 1,1,1, 0,oops,0");
+  document.poll();
+  ASSERT_EQ(document.diagnostics().size(), 1u);
+  EXPECT_NE(document.diagnostics()[0].message.find(field.string() + ":2:"), std::string::npos)
+      << document.diagnostics()[0].message;
+  EXPECT_EQ(up(), 3.0f);
 }
 
 TEST_F(PresetDocumentTest, EditsScenesToo) {
