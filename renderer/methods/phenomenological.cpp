@@ -129,7 +129,9 @@ class Phenomenological final : public Method {
 
   void probe(const Picture& picture, const Probe& probe) const override {
     const Resources& resources = picture.resources;
-    probe_with(picture, probe, "methods/phenomenological/probe.comp", constants(),
+    gpu::Constants all = constants();
+    all.push_back(self_modulation_ ? 1u : 0u);
+    probe_with(picture, probe, "methods/phenomenological/probe.comp", all,
                {{"accum", &resources.image("accum")}, {"modulation", &resources.image("modulation")}});
   }
 

@@ -167,9 +167,9 @@ void pick_weights(const PixelProbe& probe, size_t& chosen) {
   const bool open = ImGui::BeginCombo("##weights", name.c_str());
   if (!open)
     return tooltip(
-        "What the method's draw weighs each fragment by. Of weighted blends, which know no transmittance: "
-        "what an "
-        "opaque white fragment would be given there.");
+        "What the method's draw weighs each fragment by: how much of its light reaches the pixel. Of "
+        "weighted "
+        "blends, which know no transmittance, it may exceed 1.");
   for (size_t i = 0; i < probe.methods.size(); ++i)
     if (ImGui::Selectable(probe.methods[i].name.c_str(), i == chosen)) chosen = i;
   ImGui::EndCombo();

@@ -77,7 +77,12 @@ MethodAtPixel probe_method(gpu::Device& device, gpu::Pipelines& pipelines, const
   for (const float depth : at.depths_m)
     points.push_back({.depth = depth, .card = shared::kBareLight, .transmittance = glm::vec3(1.0f)});
   for (const PixelFragment& f : at.fragments)
-    points.push_back({.depth = f.depth_m, .card = f.card, .transmittance = f.transmittance});
+    points.push_back({.depth = f.depth_m,
+                      .card = f.card,
+                      .transmittance = f.transmittance,
+                      .color = f.color * f.alpha,
+                      .coverage = f.alpha,
+                      .emission = f.emission});
   const Probe probe(device, at.pixel, std::span<const shared::ProbedPoint>(points));
   const auto told = transmittance_at(device, pipelines, targets, stage.transparents(), instance, probe);
   const auto first_fragment = told.begin() + ptrdiff_t(at.depths_m.size());

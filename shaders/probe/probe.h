@@ -16,11 +16,14 @@ struct ProbeQuery {
 };
 
 // A bare light, of which nothing covers; or a fragment of the picture, whose own share a method may have to
-// take out of what it has summed.
+// take out of what it has summed, or which it weighs by what the fragment is.
 struct ProbedPoint {
   float depth;         // view depth, m
-  uint card;           // of the fragment, or kBareLight
-  vec3 transmittance;  // of the fragment
+  uint card;           // of the fragment, or kBareLight; what follows is of a fragment
+  vec3 transmittance;  // of what lies behind
+  vec3 color;          // premultiplied by coverage
+  float coverage;
+  vec3 emission;
 };
 
 struct ProbedFragment {

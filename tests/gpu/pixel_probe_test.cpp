@@ -211,6 +211,56 @@ TEST_F(PixelProbeTest, WeightsAreWhatFragmentsAreDrawnWith) {
   }
 }
 
+// Of weighted blends too: light by weight, summed over the fragments, and the background that they let pass.
+TEST_F(PixelProbeTest, WeightsOfWeightedBlendsAddUpToThePixel) {
+  std::vector<Pane> panes;
+  for (int i = 0; i < 6; ++i) {
+    Pane pane = card(1.2f - 0.7f * float(i), 0.15f + 0.13f * float(i));
+    pane.color = {0.2f + 0.15f * float(i), 0.9f - 0.1f * float(i), i % 2 == 0 ? 0.05f : 1.4f};
+    if (i % 3 == 1) pane.transmission = {0.7f, 0.1f, 0.4f};
+    panes.push_back(pane);
+  }
+  using Settings = std::map<std::string, std::string>;
+  const std::pair<const char*, Settings> variants[] = {{"wboit", {{"weight", "eq7"}}},
+                                                       {"wboit", {{"weight", "eq9"}, {"depth_scale", "4"}}},
+                                                       {"wboit", {{"weight", "eq10"}}},
+                                                       {"wboit", {{"weight", "colour_aware"}}},
+                                                       {"wboit", {{"weight", "learnopengl"}}},
+                                                       {"coloured", {}},
+                                                       {"phenomenological", {}},
+                                                       {"phenomenological", {{"self_modulation", "false"}}}};
+  for (const auto& [id, settings] : variants) {
+    Settings exact = settings;
+    exact["sums"] = "float";
+    if (std::string_view(id) == "wboit") exact["revealage"] = "float";
+    const auto d = drawn(room(panes), kSize, id, exact);
+    const size_t place = kMiddle.y * kSize.x + kMiddle.x;
+    const glm::vec3 pixel = read_picture(device, d->targets).linear.pixels[place];
+    const glm::vec3 behind =
+        read_picture(device, drawn(room({}), kSize, id, exact)->targets).linear.pixels[place];
+    const PixelProbe told = probe(*d, kMiddle);
+    const MethodAtPixel method = ask(*d, told);
+    ASSERT_EQ(method.weights.size(), panes.size());
+    glm::dvec3 sum(0), passed(1);
+    double apart = 0;
+    for (size_t i = 0; i < panes.size(); ++i) {
+      const PixelFragment& f = told.fragments[i];
+      sum += glm::dvec3(f.light) * glm::dvec3(method.weights[i]);
+      passed *= std::string_view(id) == "wboit"
+                    ? glm::dvec3(double(f.transmittance.r + f.transmittance.g + f.transmittance.b) / 3)
+                    : glm::dvec3(f.transmittance);
+      apart = std::max(apart, double(glm::length(method.weights[i] - f.weight)));
+    }
+    const glm::dvec3 expected = sum + glm::dvec3(behind) * passed;
+    // The picture and, of the other two, the background's share are half floats: 2^-11 each, some of it
+    // twice.
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(double(pixel[c]), expected[c], 2e-3 * expected[c])
+          << id << " " << (settings.empty() ? "" : settings.begin()->second) << " channel " << c;
+    EXPECT_GT(apart, 0.05) << "a guess is not the truth";
+  }
+}
+
 TEST_F(PixelProbeTest, OneCardAloneIsSeenWhole) {
   for (const char* id : {"avboit", "vboit", "wavelets", "fourier"}) {
     const std::map<std::string, std::string> by_volume{{"exact_layers", "0"}};

@@ -7,6 +7,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/view.h"
 #include "methods/parts/weighted/overflow.glsl"
+#include "methods/phenomenological/self_modulation.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint kSelfModulation = 1u;
@@ -58,8 +59,6 @@ vec3 background(ivec2 pixel) {
   return total > 0.0 ? sum / total : straight;
 }
 
-float brightest(vec3 v) { return max(v.r, max(v.g, v.b)); }
-
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(uvec2(pixel), size))) return;
@@ -70,7 +69,7 @@ void main() {
   else if (over.a) sums.a = brightest(sums.rgb);   // keeps the hue where only the weights overflowed
   const vec3 b = texelFetch(modulation, pixel, 0).rgb;
   vec3 mean = sums.rgb / max(sums.a, 1e-5);
-  if (kSelfModulation != 0u) mean *= 0.5 + max(b, vec3(1e-3)) / (2.0 * max(brightest(b), 1e-3));
+  if (kSelfModulation != 0u) mean *= self_modulation(b);
   const vec3 light = mean * (1.0 - b) + texelFetch(emission, pixel, 0).rgb;
   imageStore(result, pixel, vec4(light + background(pixel) * b, 1.0));
 }

@@ -2,8 +2,7 @@
 // no coverage would vanish or explode there, where sum a w -> 0: it is summed outside, as it is.
 #ifndef PLUME_WEIGHTED_SHARE_GLSL
 #define PLUME_WEIGHTED_SHARE_GLSL
-
-vec3 share_inside(vec3 covers) { return min(covers * 255.0, vec3(1.0)); }
+#include "methods/parts/weighted/inside.glsl"
 
 struct Share {
   vec3 inside;    // of the fraction
