@@ -1,8 +1,12 @@
 #include "sandbox/debugger/color_editor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "sandbox/debugger/number_editor.h"
+#include "sandbox/debugger/widget_places.h"
+#include "sandbox/debugger/widgets.h"
 #include "sandbox/measure/image.h"
 #include "sandbox/workspace/key_edits.h"
 
@@ -35,6 +39,8 @@ bool edit_color(const char* id, glm::vec3& linear, const Limits& limits) {
   ImVec4 color = encoded(linear, most);
   if (ImGui::ColorButton("swatch", color, ImGuiColorEditFlags_NoTooltip, {height, height}))
     ImGui::OpenPopup("picker");
+  name_widget(fmt::format("{} swatch", id));
+  tooltip("Opens a colour picker. The numbers are linear light.");
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width - height - gap);
   bool changed = edit_numbers("##numbers", {&linear.x, 3}, limits);

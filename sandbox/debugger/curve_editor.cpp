@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sandbox/debugger/number_editor.h"
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 #include "sandbox/workspace/key_edits.h"
 
@@ -16,9 +17,14 @@ namespace {
 constexpr ImU32 kGround = IM_COL32(14, 14, 16, 255), kGrid = IM_COL32(255, 255, 255, 28),
                 kZero = IM_COL32(255, 255, 255, 80), kLine = IM_COL32(255, 205, 90, 255),
                 kInk = IM_COL32(255, 255, 255, 255), kFaint = IM_COL32(255, 255, 255, 150);
-constexpr float kReach = 8;          // pixels from a key that still mean it
-constexpr float kHandlePixels = 34;  // from a key to the handles of its slopes
+// In lines of text:
+constexpr float kReach = 0.75f;       // from a key that still means it
+constexpr float kHandleReach = 2.6f;  // from a key to the handles of its slopes
 constexpr Limits kLife{0, 1, "of life"};
+
+float reach() {
+  return kReach * ImGui::GetFontSize();
+}
 
 struct Canvas {
   ImVec2 from, to;
@@ -58,7 +64,8 @@ std::optional<ImVec2> handle(const Curve& curve, size_t key, Part part, const Ca
   const std::optional<float>& slope = part == Part::kIn ? k.in : k.out;
   const bool bends = part == Part::kIn ? key > 0 : key + 1 < curve.keys.size();
   if (!slope || !bends) return {};
-  const float s = canvas.pixel_slope(*slope), length = kHandlePixels / std::sqrt(1 + s * s);
+  const float s = canvas.pixel_slope(*slope),
+              length = kHandleReach * ImGui::GetFontSize() / std::sqrt(1 + s * s);
   const float side = part == Part::kIn ? -length : length;
   const ImVec2 at = canvas.place(k.at, k.value);
   return ImVec2{at.x + side, at.y + side * s};
@@ -66,6 +73,17 @@ std::optional<ImVec2> handle(const Curve& curve, size_t key, Part part, const Ca
 
 float distance(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// The nearest key that a place still means.
+std::optional<size_t> key_at(const Curve& curve, const Canvas& canvas, ImVec2 place) {
+  std::optional<size_t> nearest;
+  float least = reach();
+  for (size_t i = 0; i < curve.keys.size(); ++i) {
+    const float away = distance(canvas.place(curve.keys[i].at, curve.keys[i].value), place);
+    if (away < least) nearest = i, least = away;
+  }
+  return nearest;
 }
 
 /// What stays from one picture to the next while a curve is worked on.
@@ -92,11 +110,10 @@ bool take(Curve& curve, const Canvas& canvas, const Limits& limits, Kept& kept) 
   kept.take(Part::kNone);
   const size_t chosen = size_t(kept.chosen());
   for (const Part part : {Part::kIn, Part::kOut})
-    if (const auto at = handle(curve, chosen, part, canvas); at && distance(*at, pointer) < kReach)
+    if (const auto at = handle(curve, chosen, part, canvas); at && distance(*at, pointer) < reach())
       return kept.take(part), false;
-  for (size_t i = 0; i < curve.keys.size(); ++i)
-    if (distance(canvas.place(curve.keys[i].at, curve.keys[i].value), pointer) < kReach)
-      return kept.chosen() = int(i), kept.take(Part::kKey), false;
+  if (const auto under = key_at(curve, canvas, pointer))
+    return kept.chosen() = int(*under), kept.take(Part::kKey), false;
   if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return false;
   const double value = std::clamp(canvas.value(pointer.y), limits.min, limits.max);
   const auto added =
@@ -134,42 +151,64 @@ bool drag_keys(Curve& curve, const Canvas& canvas, const Limits& limits, Kept& k
     return curve != before;
   }
   if (!hovered || !ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return false;
-  for (size_t i = 0; i < curve.keys.size() && curve.keys.size() > 1; ++i)
-    if (distance(canvas.place(curve.keys[i].at, curve.keys[i].value), ImGui::GetMousePos()) < kReach) {
-      remove_key(curve, i);
-      kept.chosen() = int(std::min(i, curve.keys.size() - 1));
-      return true;
-    }
-  return false;
+  const auto under = key_at(curve, canvas, ImGui::GetMousePos());
+  if (!under || curve.keys.size() == 1) return false;
+  remove_key(curve, *under);
+  kept.chosen() = int(std::min(*under, curve.keys.size() - 1));
+  return true;
 }
 
-void draw_canvas(const Curve& curve, const Canvas& canvas, const Limits& limits, size_t chosen) {
+/// What the pointer is on, in numbers.
+void say_place(const Curve& curve, const Canvas& canvas, const Limits& limits) {
+  const ImVec2 pointer = ImGui::GetMousePos();
+  const std::string unit = limits.unit.empty() ? "" : fmt::format(" {}", limits.unit);
+  if (const auto under = key_at(curve, canvas, pointer)) {
+    const Curve::Key& key = curve.keys[*under];
+    ImGui::SetTooltip("key at %.3g of life: %.4g%s\ndrag it; a right click takes it away", double(key.at),
+                      double(key.value), unit.c_str());
+    return;
+  }
+  const float at = std::clamp(canvas.at(pointer.x), 0.0f, 1.0f);
+  ImGui::SetTooltip("%.3g of life: %.4g%s\na double click makes a key", double(at), double(curve.at(at)),
+                    unit.c_str());
+}
+
+/// A level with its number, above or below it where there is room.
+void draw_level(ImDrawList& draw, const Canvas& canvas, double value, const std::string& number) {
+  const float y = canvas.place(0, value).y, height = ImGui::GetFontSize();
+  draw.AddLine({canvas.from.x, y}, {canvas.to.x, y}, kGrid);
+  const float text_y = y - canvas.from.y > height + 2 ? y - height - 1 : y + 1;
+  draw.AddText({canvas.from.x + 4, text_y}, kFaint, number.c_str());
+}
+
+void draw_canvas(const Curve& curve, const Canvas& canvas, const Limits& limits, size_t chosen, float inset) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(canvas.from, canvas.to, kGround, 3);
-  draw.PushClipRect(canvas.from, canvas.to, true);
+  const float line = ImGui::GetFontSize();
+  const ImVec2 low{canvas.from.x - inset, canvas.from.y}, high{canvas.to.x + inset, canvas.to.y};
+  draw.AddRectFilled(low, high, kGround, 3);
+  draw.PushClipRect(low, high, true);
   for (const double at : {0.25, 0.5, 0.75})
     draw.AddLine({canvas.place(at, 0).x, canvas.from.y}, {canvas.place(at, 0).x, canvas.to.y}, kGrid);
   const float zero = canvas.place(0, 0).y;
   draw.AddLine({canvas.from.x, zero}, {canvas.to.x, zero}, kZero);
+  const auto [least, largest] = curve.extremes();
+  const std::string unit = limits.unit.empty() ? "" : fmt::format(" {}", limits.unit);
+  draw_level(draw, canvas, double(largest.value), fmt::format("{:.4g}{}", largest.value, unit));
+  if (least.value != largest.value)
+    draw_level(draw, canvas, double(least.value), fmt::format("{:.4g}", least.value));
   draw_line(draw, curve, canvas, 2);
+  const auto under = ImGui::IsItemHovered() ? key_at(curve, canvas, ImGui::GetMousePos()) : std::nullopt;
   for (size_t i = 0; i < curve.keys.size(); ++i) {
     const ImVec2 at = canvas.place(curve.keys[i].at, curve.keys[i].value);
-    const float size = i == chosen ? 5.0f : 3.5f;
+    const float size = (i == chosen || under == i ? 0.38f : 0.28f) * line;
     if (i == chosen)
       for (const Part part : {Part::kIn, Part::kOut})
         if (const auto end = handle(curve, i, part, canvas)) {
           draw.AddLine(at, *end, kFaint);
-          draw.AddCircleFilled(*end, 4, kInk);
+          draw.AddCircleFilled(*end, 0.32f * line, kInk);
         }
     draw.AddRectFilled({at.x - size, at.y - size}, {at.x + size, at.y + size}, i == chosen ? kInk : kLine);
   }
-  const auto [least, largest] = curve.extremes();
-  const float line = ImGui::GetFontSize(), margin = 4;
-  const std::string unit = limits.unit.empty() ? "" : fmt::format(" {}", limits.unit);
-  draw.AddText({canvas.from.x + margin, canvas.from.y + 1}, kFaint,
-               fmt::format("{:.4g}{}", largest.value, unit).c_str());
-  draw.AddText({canvas.from.x + margin, canvas.to.y - line - 1}, kFaint,
-               fmt::format("{:.4g}", least.value).c_str());
   draw.PopClipRect();
 }
 
@@ -244,10 +283,12 @@ std::optional<Curve> edit_curve(const Curve& curve, const Limits& limits) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   // The axis stands still under a drag.
   if (!ImGui::IsItemActive() || ImGui::IsItemActivated()) kept.keep(axis_of(curve));
-  const float inset = 6;
+  name_widget("curve");
+  const float inset = 0.5f * ImGui::GetFontSize();
   const Canvas canvas{{from.x + inset, from.y}, {from.x + size.x - inset, from.y + size.y}, kept.axis()};
   bool changed = drag_keys(edited, canvas, limits, kept);
-  draw_canvas(edited, canvas, limits, size_t(kept.chosen()));
+  draw_canvas(edited, canvas, limits, size_t(kept.chosen()), inset);
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) say_place(edited, canvas, limits);
   changed |= edit_chosen(edited, size_t(kept.chosen()), limits);
   if (!changed) return {};
   return edited;

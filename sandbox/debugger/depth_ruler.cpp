@@ -12,10 +12,13 @@
 namespace plume {
 namespace {
 
-constexpr ImU32 kGround = IM_COL32(14, 14, 16, 255), kSlice = IM_COL32(255, 255, 255, 26),
-                kOutline = IM_COL32(255, 255, 255, 130), kFill = IM_COL32(95, 160, 255, 190),
-                kChosen = IM_COL32(255, 205, 90, 220), kInk = IM_COL32(255, 255, 255, 220);
+constexpr ImU32 kGround = IM_COL32(14, 14, 16, 255), kBorder = IM_COL32(255, 255, 255, 34),
+                kOutline = IM_COL32(255, 255, 255, 150), kFill = IM_COL32(95, 160, 255, 190),
+                kChosen = IM_COL32(255, 205, 90, 220), kInk = IM_COL32(255, 255, 255, 220),
+                kBox = IM_COL32(120, 130, 140, 255), kTick = IM_COL32(150, 155, 165, 255);
 constexpr float kLeastSlicePixels = 3;  // closer lines would be a grey ground
+constexpr float kCaption = 4.6f;        // lines of text: the column of names
+constexpr float kRow = 2.4f, kStrip = 0.9f;
 
 /// Depth from left to right, by its logarithm.
 struct Ruler {
@@ -24,6 +27,7 @@ struct Ruler {
     const float share = std::log(depth_m / near_m) / std::log(far_m / near_m);
     return left + std::clamp(share, 0.0f, 1.0f) * (right - left);
   }
+  float depth_m(float at) const { return near_m * std::pow(far_m / near_m, (at - left) / (right - left)); }
 };
 
 DepthBins::Bins binned(const EmitterDepths& emitter, const DepthBins& over, float offset_m, float near_m) {
@@ -38,15 +42,34 @@ DepthBins::Bins binned(const EmitterDepths& emitter, const DepthBins& over, floa
   return bins;
 }
 
-void draw_slices(ImDrawList& draw, const DepthSlices& slices, const Ruler& ruler, float top, float bottom) {
-  const uint32_t first = uint32_t(slices.slice(ruler.near_m)), last = uint32_t(slices.slice(ruler.far_m));
+struct Strip {
+  float top, bottom;
+};
+
+/// Boxes; lines through what stands above, so that one sees which particles share one.
+void draw_physical(ImDrawList& draw, const SlicedDepth& slices, const Ruler& ruler, float top, Strip strip) {
   float before = ruler.left - 2 * kLeastSlicePixels;
-  for (uint32_t slice = first + 1; slice <= last; ++slice) {
-    const float x = ruler.x(slices.depth_m(float(slice)));
-    if (x - before < kLeastSlicePixels) continue;
-    draw.AddLine({x, top}, {x, bottom}, kSlice);
-    before = x;
+  for (const DepthSlice& slice : slices.physical) {
+    if (slice.far_m <= ruler.near_m || slice.near_m >= ruler.far_m) continue;
+    const float from = ruler.x(slice.near_m), to = ruler.x(slice.far_m);
+    draw.AddRectFilled({from, strip.top}, {std::max(to, from + 1), strip.bottom}, kBox);
+    if (from - before < kLeastSlicePixels) continue;
+    draw.AddLine({from, strip.top}, {from, strip.bottom}, kGround);
+    draw.AddLine({from, top}, {from, strip.top}, kBorder);
+    before = from;
   }
+}
+
+/// Ticks: of every one, or of every second, fourth, ... that leaves room between them. Returns which.
+uint32_t draw_virtual(ImDrawList& draw, const DepthCurve& curve, const Ruler& ruler, Strip strip) {
+  const float first = curve.slice(ruler.near_m), last = curve.slice(ruler.far_m);
+  uint32_t each = 1;
+  while ((last - first) / float(each) * kLeastSlicePixels > ruler.right - ruler.left) each *= 2;
+  for (uint32_t slice = (uint32_t(first) / each + 1) * each; float(slice) <= last; slice += each) {
+    const float x = ruler.x(curve.depth_m(float(slice)));
+    draw.AddLine({x, strip.top}, {x, strip.bottom}, kTick);
+  }
+  return each;
 }
 
 void draw_row(ImDrawList& draw, const EmitterDepths& emitter, const DepthBins::Row& row, const Ruler& ruler,
@@ -68,20 +91,53 @@ void draw_row(ImDrawList& draw, const EmitterDepths& emitter, const DepthBins::R
   draw.AddTriangleFilled({to, y}, {to + point, y - 4}, {to + point, y + 4}, kInk);
 }
 
+/// "31 .. 44 of 57"; which slices are met between two depths.
+std::string met(const SlicedDepth& slices, float from, float to) {
+  std::optional<size_t> first, last;
+  for (size_t i = 0; i < slices.physical.size(); ++i) {
+    if (slices.physical[i].far_m <= from || slices.physical[i].near_m > to) continue;
+    if (!first) first = i;
+    last = i;
+  }
+  if (!first) return fmt::format("none of {}", slices.physical.size());
+  return fmt::format("{} .. {} of {}", *first, *last, slices.physical.size());
+}
+
 /// In words: from where to where, and which slices.
-std::string said(const EmitterDepths& emitter, float near_m, const std::optional<DepthSlices>& slices) {
+std::string said(const EmitterDepths& emitter, float near_m, const SlicedDepth& slices) {
   if (!emitter.has_states) return "keeps no state: not shown";
   if (emitter.depths_m.empty()) return "nothing lives";
   const float from = emitter.drawn_m(emitter.depths_m.front(), near_m);
   const float to = emitter.drawn_m(emitter.depths_m.back(), near_m);
   std::string words = fmt::format("{:.2f} .. {:.2f} m", from, to);
-  if (slices)
-    words += fmt::format(", slices {} .. {} of {}", int(slices->slice(from)), int(slices->slice(to)),
-                         slices->count);
   if (emitter.offset_m != 0)
     words += fmt::format(", {:.2f} m {} the camera", std::abs(emitter.offset_m),
                          emitter.offset_m > 0 ? "towards" : "away from");
+  if (!slices.physical.empty()) words += "\nphysical slices " + met(slices, from, to);
+  if (slices.curve)
+    words += fmt::format("\nvirtual slices {} .. {} of {}", int(slices.curve->slice(from)),
+                         int(slices.curve->slice(to)), slices.curve->count);
   return words;
+}
+
+/// What is at a depth.
+std::string said_at(float depth_m, const SlicedDepth& slices) {
+  std::string words = fmt::format("{:.2f} m", depth_m);
+  if (!slices.physical.empty()) {
+    const auto physical = slices.physical_at(depth_m);
+    words += physical ? fmt::format("\nphysical slice {} of {}, {:.3g} to {:.3g} m", *physical,
+                                    slices.physical.size(), slices.physical[*physical].near_m,
+                                    slices.physical[*physical].far_m)
+                      : std::string("\nno physical slice: empty space");
+  }
+  if (slices.curve)
+    words += fmt::format("\nvirtual slice {} of {}", int(slices.curve->slice(depth_m)), slices.curve->count);
+  return words;
+}
+
+void say_when_hovered(ImVec2 from, ImVec2 to, const std::string& words) {
+  if (ImGui::IsMouseHoveringRect(from, to) && ImGui::IsWindowHovered())
+    ImGui::SetTooltip("%s", words.c_str());
 }
 
 }  // namespace
@@ -108,25 +164,41 @@ void depth_ruler(std::span<const EmitterDepths> emitters, const DepthBins& bins,
   if (bins.rows.empty()) return note("No particle of it lives at this tick.");
   const float line = ImGui::GetFontSize();
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 40.0f), row = 1.7f * line;
-  const ImVec2 size{width, row * float(emitters.size()) + line};
-  const Ruler ruler{from.x + 2, from.x + width - 2, bins.nearest_m, bins.farthest_m};
-  ImGui::Dummy(size);
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 12 * line), row = kRow * line;
+  const int strips = int(!slices.physical.empty()) + int(slices.curve.has_value());
+  const float rows_end = from.y + row * float(emitters.size());
+  const float strips_end = rows_end + float(strips) * (kStrip * line + 2);
+  ImGui::Dummy({width, strips_end + 1.1f * line - from.y});
+  const Ruler ruler{from.x + (strips > 0 ? kCaption * line : 2), from.x + width - 2, bins.nearest_m,
+                    bins.farthest_m};
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float bottom = from.y + size.y - line;
-  draw.AddRectFilled(from, {from.x + width, bottom}, kGround, 3);
-  if (slices) draw_slices(draw, *slices, ruler, from.y, bottom);
+  draw.AddRectFilled({ruler.left - 2, from.y}, {from.x + width, strips_end}, kGround, 3);
+
+  Strip strip{rows_end + 1, rows_end + 1 + kStrip * line};
+  if (!slices.physical.empty()) {
+    draw_physical(draw, slices, ruler, from.y, strip);
+    draw.AddText({from.x, strip.top - 1}, kInk, "physical");
+    strip = {strip.bottom + 2, strip.bottom + 2 + kStrip * line};
+  }
+  uint32_t each = 1;
+  if (slices.curve) {
+    each = draw_virtual(draw, *slices.curve, ruler, strip);
+    draw.AddText({from.x, strip.top - 1}, kInk, "virtual");
+  }
+  const float pointer = ImGui::GetMousePos().x;
+  if (strips > 0 && pointer >= ruler.left)
+    say_when_hovered({ruler.left, rows_end}, {ruler.right, strips_end},
+                     said_at(ruler.depth_m(pointer), slices) +
+                         (each > 1 ? fmt::format("\na tick for every {} virtual slices", each) : ""));
   for (size_t i = 0; i < emitters.size(); ++i) {
     const float top = from.y + row * float(i);
-    draw_row(draw, emitters[i], bins.rows[i], ruler, near_m, top + 2, top + row - 2, chosen == i);
-    draw.AddText({from.x + 4, top + 1}, kInk, emitters[i].name.c_str());
-    const ImVec2 corner{from.x, top}, end{from.x + width, top + row};
-    if (ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered())
-      ImGui::SetTooltip("%s", said(emitters[i], near_m, slices).c_str());
+    draw_row(draw, emitters[i], bins.rows[i], ruler, near_m, top + line, top + row - 2, chosen == i);
+    draw.AddText({ruler.left + 2, top}, kInk, emitters[i].name.c_str());
+    say_when_hovered({from.x, top}, {from.x + width, top + row}, said(emitters[i], near_m, slices));
   }
-  draw.AddText({from.x, bottom}, kInk, fmt::format("{:.2f} m", ruler.near_m).c_str());
+  draw.AddText({ruler.left, strips_end}, kInk, fmt::format("{:.2f} m", ruler.near_m).c_str());
   const std::string last = fmt::format("{:.2f} m", ruler.far_m);
-  draw.AddText({from.x + width - ImGui::CalcTextSize(last.c_str()).x, bottom}, kInk, last.c_str());
+  draw.AddText({from.x + width - ImGui::CalcTextSize(last.c_str()).x, strips_end}, kInk, last.c_str());
   if (chosen && *chosen < emitters.size()) note(said(emitters[*chosen], near_m, slices));
 }
 

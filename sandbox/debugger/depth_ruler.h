@@ -1,5 +1,6 @@
 // What a camera offset does: the particles of an instance's emitters over depth, where they are (outline) and
-// where they are drawn (filled), on the slices of depth that the method has.
+// where they are drawn (filled), and below them the slices that the method has: physical ones as boxes with
+// empty space between them, virtual ones as ticks.
 #ifndef PLUME_DEBUGGER_DEPTH_RULER_H
 #define PLUME_DEBUGGER_DEPTH_RULER_H
 
@@ -24,7 +25,7 @@ struct DepthBins {
 DepthBins depth_bins(std::span<const EmitterDepths> emitters, float near_m);
 
 void depth_ruler(std::span<const EmitterDepths> emitters, const DepthBins& bins, std::optional<size_t> chosen,
-                 float near_m, const std::optional<DepthSlices>& slices);
+                 float near_m, const SlicedDepth& slices);
 
 }  // namespace plume
 #endif

@@ -16,6 +16,7 @@ struct SeenDepths {
   double at_s = -1e9;  ///< when they were read: a playing scene would wait at every picture
   std::vector<EmitterDepths> emitters;
   DepthBins bins;
+  SlicedDepth slices;
 };
 
 /// An instance that the pointer has hold of.

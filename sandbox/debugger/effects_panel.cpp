@@ -287,6 +287,7 @@ void commands(Interface& interface, const PresetDocument& document) {
   command_button("revert", differs ? "What is on disk, as one step of undo" : "", "one step of undo",
                  interface, revert);
   ImGui::Checkbox("only set", &interface.effects.only_set);
+  name_widget("only set");
   tooltip("Hides fields that the file does not say; the others are written dim, with their default.");
 }
 
@@ -348,25 +349,28 @@ void depths(Interface& interface) {
   Workspace& workspace = interface.workspace;
   EffectSelection& selection = interface.effects;
   const bool open = ImGui::TreeNodeEx("depth in the picture");
+  name_widget("depth in the picture");
   tooltip(
       "Where in depth the particles are (outline) and where the camera offset draws them (filled), over the "
-      "slices of the method: what shares a slice is blended by weight, what is apart is sorted.");
+      "slices of the method. Virtual slices are as fine as it may cut; it keeps physical ones where there is "
+      "something: what shares one is blended by weight, what is apart is sorted.");
   if (!open) return;
   SeenDepths& seen = selection.depths;
   const auto index = selected_instance(interface);
   if (!index) return ImGui::TreePop();
+  const Side& side = workspace.shows(workspace.a) ? workspace.a : workspace.b;
   const bool is_due = ImGui::GetTime() - seen.at_s >= 1.0 / kDepthsPerSecond;
-  if (seen.instance != selection.instance || (seen.picture != workspace.picture() && is_due)) {
+  const bool differs = seen.instance != selection.instance || (seen.picture != workspace.picture() && is_due);
+  if (!workspace.is_outdated() && side.targets && differs) {
     seen = {.picture = workspace.picture(),
             .instance = selection.instance,
             .at_s = ImGui::GetTime(),
             .emitters = emitter_depths(workspace.stage(), *index, workspace.camera()),
-            .bins = {}};
+            .bins = {},
+            .slices = sliced_depth(workspace.device(), side.methods[side.current])};
     seen.bins = depth_bins(seen.emitters, workspace.scene().near_m);
   }
-  Side& side = workspace.shows(workspace.a) ? workspace.a : workspace.b;
-  depth_ruler(seen.emitters, seen.bins, selection.emitter, workspace.scene().near_m,
-              depth_slices(*side.method().method));
+  depth_ruler(seen.emitters, seen.bins, selection.emitter, workspace.scene().near_m, seen.slices);
   ImGui::TreePop();
 }
 

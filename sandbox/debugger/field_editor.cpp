@@ -94,17 +94,18 @@ void help(const Field& field) {
   if (wants_tooltip()) tooltip(help_of(field));
 }
 
-/// Starts a line: the name to the left, as much of it as there is room for, the next item to fill the rest,
-/// with room for a button.
+/// Starts a line: the name to the left, the next item to fill the rest, with room for a button. A name that
+/// is too long has a line of its own.
 void label(const Field& field, std::string_view name) {
-  const float room = kLabelWidth * ImGui::GetFontSize() - ImGui::GetCursorPosX();
-  std::string words(name);
-  while (words.size() > 3 && ImGui::CalcTextSize(words.c_str()).x > room)
-    words.replace(words.size() - 3, 3, "..");
+  const float column = kLabelWidth * ImGui::GetFontSize();
+  const float end = ImGui::GetCursorPosX() + ImGui::CalcTextSize(name.data(), name.data() + name.size()).x;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(words.c_str());
+  ImGui::TextUnformatted(name.data(), name.data() + name.size());
   help(field);
-  ImGui::SameLine(kLabelWidth * ImGui::GetFontSize());
+  if (end < column)
+    ImGui::SameLine(column);
+  else
+    ImGui::SetCursorPosX(column);
 }
 
 float button_width() {
@@ -317,6 +318,7 @@ struct Widget {
         ImGui::GetContentRegionAvail().x - 2 * (button_width() + ImGui::GetStyle().ItemInnerSpacing.x);
     const ImVec2 size{std::max(width, 20.0f), ImGui::GetFrameHeight()};
     if (ImGui::InvisibleButton("##picture", size)) open(!is_open);
+    name_widget(field.path + " over life");
     tooltip(is_open ? "Closes the editor" : "Opens the editor");
     draw(*ImGui::GetWindowDrawList(), value, from, {from.x + size.x, from.y + size.y});
     if (ImGui::IsItemHovered())
@@ -405,6 +407,7 @@ void edit_present_table(const FieldList& list, const Field& field, const std::st
                                              ImGuiTreeNodeFlags_AllowItemOverlap |
                                              ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_Framed,
                                          "%.*s", int(title.size()), title.data());
+  name_widget(path);
   help(field);
   if (removable) {
     ImGui::SameLine(end);

@@ -8,6 +8,7 @@
 
 #include "sandbox/debugger/color_editor.h"
 #include "sandbox/debugger/number_editor.h"
+#include "sandbox/debugger/widget_places.h"
 #include "sandbox/debugger/widgets.h"
 #include "sandbox/workspace/key_edits.h"
 
@@ -34,19 +35,23 @@ struct Bar {
 void draw_marks(const Gradient& gradient, const Bar& bar, size_t chosen, float size) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (size_t i = 0; i < gradient.keys.size(); ++i) {
-    const float x = bar.x(gradient.keys[i].at), top = bar.bottom, bottom = bar.bottom + size;
-    draw.AddTriangleFilled({x, top - 3}, {x + 5, bottom}, {x - 5, bottom}, i == chosen ? kInk : kPlain);
-    if (i == chosen) draw.AddLine({x, bar.top}, {x, bar.bottom}, kInk);
-    draw.AddTriangle({x, top - 3}, {x + 5, bottom}, {x - 5, bottom}, kShade);
+    const float x = bar.x(gradient.keys[i].at), top = bar.bottom - 3, bottom = bar.bottom + size;
+    const float half = 0.55f * size;
+    draw.AddTriangleFilled({x, top}, {x + half, bottom}, {x - half, bottom}, i == chosen ? kInk : kPlain);
+    if (i == chosen) {
+      draw.AddLine({x - 1, bar.top}, {x - 1, bar.bottom}, kShade);  // told from pale colours too
+      draw.AddLine({x, bar.top}, {x, bar.bottom}, kInk);
+    }
+    draw.AddTriangle({x, top}, {x + half, bottom}, {x - half, bottom}, kShade);
   }
 }
 
 std::optional<size_t> nearest(const Gradient& gradient, const Bar& bar, float x) {
-  constexpr float kReach = 7;
+  const float reach = 0.7f * ImGui::GetFontSize();
   std::optional<size_t> found;
   for (size_t i = 0; i < gradient.keys.size(); ++i) {
     const float away = std::abs(bar.x(gradient.keys[i].at) - x);
-    if (away < kReach && (!found || away < std::abs(bar.x(gradient.keys[*found].at) - x))) found = i;
+    if (away < reach && (!found || away < std::abs(bar.x(gradient.keys[*found].at) - x))) found = i;
   }
   return found;
 }
@@ -78,6 +83,16 @@ bool drag_keys(Gradient& gradient, const Bar& bar, int& chosen, bool& holds) {
   return true;
 }
 
+/// What the pointer is on, in numbers.
+void say_place(const Gradient& gradient, const Bar& bar) {
+  const float at = std::clamp(bar.at(ImGui::GetMousePos().x), 0.0f, 1.0f);
+  const bool on_key = nearest(gradient, bar, ImGui::GetMousePos().x).has_value();
+  const glm::vec3 color = gradient.at(at);
+  ImGui::SetTooltip("%.3g of life: %.3g, %.3g, %.3g\n%s", double(at), double(color.r), double(color.g),
+                    double(color.b),
+                    on_key ? "drag the mark; a right click takes it away" : "a double click makes a mark");
+}
+
 }  // namespace
 
 std::optional<Gradient> edit_gradient(const Gradient& gradient, const Limits& limits) {
@@ -85,16 +100,19 @@ std::optional<Gradient> edit_gradient(const Gradient& gradient, const Limits& li
   ImGuiStorage& kept = *ImGui::GetStateStorage();
   int chosen = std::clamp(kept.GetInt(ImGui::GetID("chosen")), 0, int(gradient.keys.size()) - 1);
   bool holds = kept.GetBool(ImGui::GetID("holds"));
-  const float line = ImGui::GetFontSize(), marks = 0.7f * line, inset = 6;
+  const float line = ImGui::GetFontSize(), marks = 0.8f * line, inset = 0.5f * line;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 40.0f), 1.6f * line + marks};
   ImGui::InvisibleButton("bar", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  name_widget("gradient");
+  const bool pointed_at = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const Bar bar{from.x + inset, from.x + size.x - inset, from.y, from.y + size.y - marks};
   bool changed = drag_keys(edited, bar, chosen, holds);
   kept.SetInt(ImGui::GetID("chosen"), chosen);
   kept.SetBool(ImGui::GetID("holds"), holds);
   draw_gradient(*ImGui::GetWindowDrawList(), edited, {bar.left, bar.top}, {bar.right, bar.bottom});
   draw_marks(edited, bar, size_t(chosen), marks);
+  if (pointed_at) say_place(edited, bar);
 
   Gradient::Key& key = edited.keys[size_t(chosen)];
   const float width = ImGui::GetContentRegionAvail().x;

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "sandbox/debugger/widgets.h"
 
@@ -23,9 +25,19 @@ float pace(double value, const Limits& limits, bool whole = false) {
   return float(0.01 * std::max(std::abs(value), least));
 }
 
+/// How the number is written: with its unit where there is room.
+template <class Value>
+std::string fitting_format(const char* digits, std::string_view unit, Value value) {
+  std::string format = number_format(digits, unit);
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), format.c_str(), value);
+  const float room = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;
+  return ImGui::CalcTextSize(text.data()).x <= room ? format : digits;
+}
+
 template <class Value>
 bool edit(const char* id, Value& value, const Limits& limits, ImGuiDataType type, const char* digits) {
-  const std::string format = number_format(digits, limits.unit);
+  const std::string format = fitting_format(digits, limits.unit, value);
   const Value min = Value(limits.min), max = Value(limits.max);
   Value wanted = value;
   const bool changed =

@@ -1,7 +1,6 @@
 #include "sandbox/workspace/emitter_depths.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "renderer/parameters.h"
@@ -35,26 +34,28 @@ std::vector<EmitterDepths> emitter_depths(const Stage& stage, size_t instance, c
   return result;
 }
 
-float DepthSlices::slice(float depth_m) const {
+float DepthCurve::slice(float depth_m) const {
   return std::clamp(float(count) * std::log2(1 + std::max(depth_m, 0.0f) / a) / std::log2(1 + b / a), 0.0f,
                     float(count));
 }
 
-float DepthSlices::depth_m(float slice) const {
+float DepthCurve::depth_m(float slice) const {
   return a * (std::exp2(slice / float(count) * std::log2(1 + b / a)) - 1);
 }
 
-std::optional<DepthSlices> depth_slices(Method& method) {
-  const nlohmann::json values = parameter_values(method);
-  if (!values.contains("curve_a") || !values.contains("curve_b") || !values.contains("virtual_slices"))
-    return {};
-  const std::string slices = values["virtual_slices"].is_string()
-                                 ? values["virtual_slices"].get<std::string>()
-                                 : values["virtual_slices"].dump();
-  DepthSlices found{.a = values["curve_a"], .b = values["curve_b"], .count = 0};
-  std::from_chars(slices.data(), slices.data() + slices.size(), found.count);
-  if (found.count == 0) return {};
-  return found;
+std::optional<size_t> SlicedDepth::physical_at(float depth_m) const {
+  const auto found = std::ranges::upper_bound(physical, depth_m, {}, &DepthSlice::far_m);
+  if (found == physical.end() || depth_m < found->near_m) return {};
+  return size_t(found - physical.begin());
+}
+
+SlicedDepth sliced_depth(gpu::Device& device, const MethodInstance& drawn) {
+  SlicedDepth result{.curve = {}, .physical = drawn.method->depth_slices(device, drawn.resources)};
+  const nlohmann::json values = parameter_values(*drawn.method);
+  const nlohmann::json found = drawn.method->statistics(device, drawn.resources);
+  if (values.contains("curve_a") && values.contains("curve_b") && found.contains("virtual_slices"))
+    result.curve = {.a = values["curve_a"], .b = values["curve_b"], .count = found["virtual_slices"]};
+  return result;
 }
 
 }  // namespace plume

@@ -24,17 +24,28 @@ struct EmitterDepths {
 /// Waits for the device.
 std::vector<EmitterDepths> emitter_depths(const Stage& stage, size_t instance, const CameraKey& camera);
 
-/// The depth curve of a method that slices depth by a logarithm (AVBOIT): slices end where
-/// slices log2(1 + z / a) / log2(1 + b / a) is whole.
-struct DepthSlices {
+/// The depth curve of a method that slices depth by a logarithm (AVBOIT): its virtual slices end where
+/// count log2(1 + z / a) / log2(1 + b / a) is whole.
+struct DepthCurve {
   float a, b;
   uint32_t count;
 
   float slice(float depth_m) const;
   float depth_m(float slice) const;
 };
-/// From the method's parameters `curve_a`, `curve_b` and `virtual_slices`; nothing: it has none of these.
-std::optional<DepthSlices> depth_slices(Method& method);
+
+/// What a method cuts depth into.
+struct SlicedDepth {
+  std::optional<DepthCurve> curve;  ///< of the virtual slices; nothing: it has none
+  /// Those that hold something, front to back: what shares one is mixed, empty space lies between.
+  std::vector<DepthSlice> physical;
+
+  /// The index among the physical ones; nothing where there is none.
+  std::optional<size_t> physical_at(float depth_m) const;
+};
+/// Of the frame that was drawn with these resources, which decides how many virtual slices there are. Waits
+/// for the device.
+SlicedDepth sliced_depth(gpu::Device& device, const MethodInstance& drawn);
 
 }  // namespace plume
 #endif

@@ -26,6 +26,7 @@ name = "puffs"
   [emitter.look]
   radius_m = 0.2
   opacity = 0.5
+  fade = [[0.0, 1.0], [1.0, 0.0]]   # out
 )";
 
 constexpr std::string_view kScene = R"(name = "One"
@@ -104,6 +105,17 @@ class EffectsPanel : public ProgramTest {
     act("mousedown 1");
     act("mouseup 1");
   }
+  /// Before the first picture, perhaps; that must not lose it.
+  void select_emitter(const std::string& field) {
+    click("it / puffs");
+    ASSERT_TRUE(until([&] { return is_there(field); })) << field;
+  }
+  /// What the file has once it is not `before` any more.
+  std::string saved_after(const std::string& before, double seconds = 5) {
+    act("key ctrl+s");
+    until([&] { return effect() != before; }, seconds);
+    return effect();
+  }
   bool is_there(const std::string& widget) const {
     return read("places").find(" " + widget + "\n") != std::string::npos;
   }
@@ -149,8 +161,7 @@ std::string with(std::string_view text, std::string_view old, std::string_view b
 
 TEST_F(EffectsPanel, ADraggedNumberIsSavedAndUndone) {
   const std::string radius = "emitter[0].shape.radius_m";
-  click("it / puffs");
-  ASSERT_TRUE(until([&] { return is_there(radius); })) << "clicked before the first picture, but not lost";
+  select_emitter(radius);
   move_to(radius);
   act("mousedown 1");
   for (int i = 1; i <= 4; ++i) move_to(radius, 10 * i);
@@ -254,6 +265,44 @@ TEST_F(EffectsPanel, ASceneIsPickedByItsPictureAndSavedUnderAnotherName) {
   window_ = -1;
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(says(read("config/settings.toml"), {"scene = \"two_2\""}));
+}
+
+std::string fade_of(const std::string& effect) {
+  const size_t at = effect.find("fade = "), end = effect.find("   # out", at);
+  return at == effect.npos || end == effect.npos ? effect : effect.substr(at, end - at);
+}
+
+TEST_F(EffectsPanel, AKeyOfACurveIsMadeDraggedAndTakenAway) {
+  const std::string original(kEffect);
+  select_emitter("only set");
+  click("only set");
+  click("emitter[0].look.fade over life");
+  const auto canvas = middle("curve");
+  ASSERT_TRUE(canvas) << read("places");
+
+  std::string made = original;
+  for (int i = 0; i < 5 && made == original; ++i) {  // a busy machine may be too slow for a double click
+    act(fmt::format("mousemove {} {} click --repeat 2 --delay 100 1", canvas->first, canvas->second - 20));
+    made = saved_after(original, 2);
+  }
+  EXPECT_EQ(std::ranges::count(fade_of(made), '['), 4) << "a third key: " << fade_of(made);
+
+  act("mousedown 1");
+  for (int i = 1; i <= 4; ++i)
+    act(fmt::format("mousemove {} {}", canvas->first + 5 * i, canvas->second - 20 + 8 * i));
+  act("mouseup 1");
+  const std::string dragged = saved_after(made);
+  EXPECT_NE(fade_of(dragged), fade_of(made));
+  EXPECT_EQ(std::ranges::count(fade_of(dragged), '['), 4) << fade_of(dragged);
+  act("key ctrl+z");
+  EXPECT_EQ(saved_after(dragged), made) << "a drag is one step";
+  act("key ctrl+shift+z");
+  EXPECT_EQ(saved_after(made), dragged);
+
+  act("click 3");
+  EXPECT_EQ(fade_of(saved_after(dragged)), "fade = [[0.0, 1.0], [1.0, 0.0]]");
+  const Outcome outcome = close();
+  EXPECT_EQ(outcome.err, "");
 }
 
 }  // namespace
