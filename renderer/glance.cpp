@@ -65,7 +65,8 @@ std::vector<Inspection> inspections_of(const Method& method) {
        .help =
            "Fragments of transparent cards in front of opaque things, whatever becomes of them. The empty "
            "corners of a puff are none.",
-       .unit = "fragments"},
+       .unit = "fragments",
+       .absent = "no fragment"},
       {.id = std::string(kShaded),
        .title = "Shaded fragments",
        .help =
@@ -73,7 +74,8 @@ std::vector<Inspection> inspections_of(const Method& method) {
            "culling depth where it has one. A fragment of a draw at lower resolution counts in each pixel "
            "for the share that it is. Methods that draw all cards again for every layer, or that leave "
            "off in a shader, are not followed there: each fragment counts once.",
-       .unit = "fragments"}};
+       .unit = "fragments",
+       .absent = "no fragment"}};
   std::ranges::move(method.inspections(), std::back_inserter(all));
   return all;
 }

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace plume {
 
@@ -19,6 +20,10 @@ struct Inspection {
   std::optional<glm::vec2> range = {};  ///< of what it can be; nothing: what is found in the picture
   bool logarithmic = false;             ///< its numbers differ by ratios rather than by steps
   uint32_t slices = 0;                  ///< one of so many is shown; 0: there is none to choose
+  std::string absent = "nothing";       ///< what a pixel without a number says: "no fragment"
+  /// Names of the numbers 1, 2, ..., where they are classes and no amounts.
+  std::vector<std::string> classes = {};
+  bool over_slices = false;  ///< a chart: columns are the slices in use, front to back from the left
 };
 
 /// A slice of a method's own along the rays.

@@ -47,9 +47,12 @@ int list_views(const Method& method, bool as_json) {
                     {"title", view.title},
                     {"help", view.help},
                     {"unit", view.unit},
+                    {"classes", view.classes},
+                    {"absent", view.absent},
                     {"slices", view.slices}});
     if (!as_json)
-      fmt::print("{:20} {} [{}{}]\n{:20} {}\n", view.id, view.title, view.unit,
+      fmt::print("{:20} {} [{}{}]\n{:20} {}\n", view.id, view.title,
+                 view.classes.empty() ? view.unit : fmt::format("{}", fmt::join(view.classes, ", ")),
                  view.slices > 0 ? fmt::format(", --slice 0 to {}", view.slices - 1) : "", "", view.help);
   }
   if (as_json) fmt::print("{}\n", list.dump(2));
@@ -85,10 +88,10 @@ void check(const InspectFlags& flags) {
                                  flags.range->first, flags.range->second));
 }
 
-void write(const std::string& file, const Raster<float>& values, const ValueScale& scale) {
-  if (extension(file) == ".png") return write_png(file, value_image(values, scale));
-  Image image{values.width, values.height, {}};
-  for (const float value : values.pixels) image.pixels.emplace_back(value);
+void write(const std::string& file, const Inspected& seen, const ValueScale& scale) {
+  if (extension(file) == ".png") return write_png(file, image_of(seen, scale));
+  Image image{seen.values.width, seen.values.height, {}};
+  for (const float value : seen.values.pixels) image.pixels.emplace_back(value);
   write_exr(file, image);
 }
 
@@ -107,6 +110,8 @@ json told(const Inspected& seen, const ValueRange& found, const ValueScale& scal
               {"mean", nullptr},
               {"sum", found.sum},
               {"scale", {{"low", scale.low}, {"high", scale.high}, {"logarithmic", scale.logarithmic}}},
+              {"classes", seen.what.classes},
+              {"absent", seen.what.absent},
               {"slices", slices}};
   if (found.count > 0) {
     result["least"] = found.least;
@@ -146,7 +151,7 @@ int run_inspect(const InspectFlags& flags) {
   choice.logarithmic = flags.logarithmic || (view.logarithmic && !flags.linear);
   if (flags.range) choice.range = glm::vec2(flags.range->first, flags.range->second);
   const ValueScale scale = scale_of(choice, view, found);
-  for (const std::string& file : flags.files) write(file, seen.values, scale);
+  for (const std::string& file : flags.files) write(file, seen, scale);
   json result = told(seen, found, scale);
   result["scene"] = stage.scene().id;
   result["tick"] = tick;

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "sandbox/debugger/crosshair_mark.h"
@@ -15,6 +16,7 @@
 #include "sandbox/debugger/scene_panel.h"
 #include "sandbox/debugger/timeline.h"
 #include "sandbox/debugger/timings_panel.h"
+#include "sandbox/debugger/view_key.h"
 #include "sandbox/debugger/view_panel.h"
 #include "sandbox/debugger/viewport_marks.h"
 #include "sandbox/debugger/widget_places.h"
@@ -38,6 +40,7 @@ constexpr std::array kPanels{
 
 // In lines of text, so that they grow with the font.
 constexpr float kLeftWidth = 24, kRightWidth = 24, kTimelineHeight = 4.6f, kCrosshairHeight = 19;
+constexpr float kMostWidth = 0.4f;  // of the window: however large the text is, a picture is left
 
 constexpr ImGuiWindowFlags kDocked = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -90,7 +93,8 @@ Area describe_panels(Interface& interface) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   Area picture{{0, 0}, {window.x, window.y}};
   if (interface.panels) {
-    const float left = kLeftWidth * line, right = kRightWidth * line,
+    const float left = std::min(kLeftWidth * line, kMostWidth * window.x),
+                right = std::min(kRightWidth * line, kMostWidth * window.x),
                 timeline_height = kTimelineHeight * line;
     const float crosshair_height = interface.crosshair.placed() ? kCrosshairHeight * line : 0;
     const float bottom = timeline_height + crosshair_height;
@@ -111,8 +115,8 @@ Area describe_panels(Interface& interface) {
   }
   picture.size = glm::max(picture.size, glm::vec2(1));
   interface.picture = picture;
-  mark_viewport(interface, picture);
   mark_views(interface, picture);
+  mark_viewport(interface, picture);
   mark_instances(interface, picture);
   mark_crosshair(interface, picture);
   ask_about_files(interface);

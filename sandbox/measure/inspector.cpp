@@ -28,6 +28,10 @@ ValueScale scale_of(const ViewChoice& choice, const Inspection& view, const Valu
   return scale_over(found, choice.range ? choice.range : view.range, choice.logarithmic);
 }
 
+DisplayImage image_of(const Inspected& seen, const ValueScale& scale) {
+  return seen.what.classes.empty() ? value_image(seen.values, scale) : class_image(seen.values);
+}
+
 bool Inspector::needs_reference(std::string_view id) {
   return id == kFlip || id == kDifference;
 }

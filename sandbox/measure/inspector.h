@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sandbox/measure/ground_truth.h"
+#include "sandbox/measure/image.h"
 #include "sandbox/measure/value_map.h"
 #include "sandbox/scene/view_choice.h"
 
@@ -21,6 +22,9 @@ struct Inspected {
 
 /// Of the colours of a view in which such numbers were found.
 ValueScale scale_of(const ViewChoice& choice, const Inspection& view, const ValueRange& found);
+
+/// Its numbers as a picture, on a scale where they are no classes.
+DisplayImage image_of(const Inspected& seen, const ValueScale& scale);
 
 class Inspector {
  public:

@@ -383,7 +383,7 @@ class Measurement {
     const Inspected seen =
         inspector_.inspect({device_, pipelines_, targets, prelude, stage.transparents()}, c.instance, *view,
                            std::min(choice.slice, std::max(view->slices, 1u) - 1));
-    c.view = value_image(seen.values, scale_of(choice, *view, range_of(seen.values)));
+    c.view = image_of(seen, scale_of(choice, *view, range_of(seen.values)));
   }
 
   void stop_if_interrupted() const {

@@ -1,7 +1,9 @@
-// Numbers of pixels as a picture: magma colours on a scale, and a pattern where there is no number.
+// Numbers of pixels as a picture: magma colours on a scale, a colour and a pattern for each class, and
+// stripes where there is no number.
 #ifndef PLUME_MEASURE_VALUE_MAP_H
 #define PLUME_MEASURE_VALUE_MAP_H
 
+#include <array>
 #include <optional>
 
 #include "sandbox/measure/image.h"
@@ -26,6 +28,8 @@ struct ValueRange {
   size_t count = 0;  ///< of pixels that have one
 };
 ValueRange range_of(const Raster<float>& values);
+/// Of two pictures as if they were one.
+ValueRange joined(const ValueRange& a, const ValueRange& b);
 
 /// Over `wanted` (nothing: from the least number to the most), which is made fit for the scale: a logarithmic
 /// one begins at the least number above 0, and no scale is empty.
@@ -34,6 +38,12 @@ ValueScale scale_over(const ValueRange& found, const std::optional<glm::vec2>& w
 /// Infinities are at the end of the scale; pixels without a number are striped in two greys, so that they
 /// cannot be taken for either end.
 DisplayImage value_image(const Raster<float>& values, const ValueScale& scale);
+
+/// The same of numbers 1, 2, ... that are classes: each has a colour, and a pattern that tells it without.
+DisplayImage class_image(const Raster<float>& values);
+/// What these pictures have at a pixel, for keys to them: of the class `index` (from 0), and of no number.
+std::array<uint8_t, 3> class_texel(size_t index, int x, int y);
+std::array<uint8_t, 3> absent_texel(int x, int y);
 
 }  // namespace plume
 #endif

@@ -73,7 +73,7 @@ void Recorder::note(Workspace& workspace) {
     shot.method = method_of(side->method());
     shot.size = side->targets->size;
     if (workspace.has_own_camera()) shot.camera = workspace.camera();
-    if (side->view.shown) shot.view = side->view;
+    shot.view = side->view.choice();
     seen.push_back(std::move(shot));
     if (seen.back().camera) seen.back().camera->tick = 0;
   }

@@ -324,6 +324,8 @@ void Workspace::draw(glm::uvec2 area) {
   const auto simulation = stage_->go_to(playback.tick(), size, camera_);
   for (Side* side : {&a, &b})
     if (shows(*side)) draw_side(*side, size, simulation);
+  if (comparison_ == Comparison::kSplit)
+    SideView::share_scale(device_, a.view, *a.targets, b.view, *b.targets);
   outdated_ = false;
   frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

@@ -354,13 +354,119 @@ TEST_F(EffectEdits, ACameraOffsetMovesParticlesToOtherSlices) {
   EXPECT_EQ(emitters[0].drawn_m(1.1f, 0.1f), 0.2f) << "nothing is drawn at the camera";
   EXPECT_TRUE(emitter_depths(workspace.stage(), 2, workspace.camera()).empty()) << "not called";
 
-  const auto slices = depth_slices(*instance("avboit").method);
-  ASSERT_TRUE(slices);
-  EXPECT_EQ(slices->slice(0), 0);
-  EXPECT_EQ(slices->slice(slices->b), float(slices->count));
-  EXPECT_NEAR(slices->depth_m(slices->slice(7.5f)), 7.5f, 1e-4f);
-  EXPECT_LT(slices->slice(emitters[0].drawn_m(6, 0.1f)), slices->slice(6) - 1) << "another slice";
-  EXPECT_FALSE(depth_slices(*instance("wboit").method));
+  const SlicedDepth slices = sliced_depth(device, workspace.a.method());
+  ASSERT_TRUE(slices.curve);
+  const DepthCurve& curve = *slices.curve;
+  EXPECT_EQ(curve.slice(0), 0);
+  EXPECT_EQ(curve.slice(curve.b), float(curve.count));
+  EXPECT_NEAR(curve.depth_m(curve.slice(7.5f)), 7.5f, 1e-4f);
+  EXPECT_LT(curve.slice(emitters[0].drawn_m(6, 0.1f)), curve.slice(6) - 1) << "another slice";
+
+  // Each physical slice is the part of the virtual one that the curve puts it into.
+  ASSERT_GT(slices.physical.size(), 4u);
+  for (size_t i = 0; i < slices.physical.size(); ++i) {
+    const DepthSlice& slice = slices.physical[i];
+    const float middle = 0.5f * (slice.near_m + slice.far_m);
+    EXPECT_EQ(uint32_t(curve.slice(middle)), slice.virtual_slice) << i;
+    EXPECT_EQ(slices.physical_at(middle), i);
+  }
+  EXPECT_FALSE(slices.physical_at(0.5f * slices.physical.front().near_m)) << "nothing is there";
+  EXPECT_FALSE(slices.physical_at(2 * slices.physical.back().far_m));
+  for (const float depth : depths)
+    EXPECT_TRUE(slices.physical_at(emitters[0].drawn_m(depth, 0.1f))) << "a particle is in a slice";
+
+  const auto wboit = std::ranges::find(workspace.a.methods, std::string("wboit"), &MethodInstance::owner);
+  workspace.choose_method(workspace.a, size_t(wboit - workspace.a.methods.begin()));
+  workspace.draw(kSize);
+  const SlicedDepth none = sliced_depth(device, workspace.a.method());
+  EXPECT_FALSE(none.curve);
+  EXPECT_TRUE(none.physical.empty());
+}
+
+TEST_F(EffectEdits, AChangedMeshIsWhatItsParticlesAreBornOn) {
+  const auto triangle = [](float x) {
+    return fmt::format("v {0} 0 0\nv {1} 0 0\nv {0} 0.5 0\nf 1 2 3\n", x, x + 0.5f);
+  };
+  fs::create_directories(root_ / "meshes");
+  write("meshes/tri.obj", triangle(0));
+  write("effects/small.toml",
+        with(kEffect, "kind = \"sphere\"\n  radius_m = 0.5", "kind = \"mesh\"\n  mesh = \"tri\""));
+  Workspace workspace = open();
+  const uint64_t before = seen(workspace);
+  write("meshes/tri.obj", triangle(1));
+  ASSERT_TRUE(workspace.advance(1));
+  const uint64_t after = seen(workspace);
+  EXPECT_NE(after, before);
+  EXPECT_EQ(after, anew()) << "those alive were born on it too";
+  write("meshes/tri.obj", "v 1 oops\n");
+  workspace.advance(2);
+  EXPECT_EQ(seen(workspace), after) << "the last good one";
+  const auto& mistakes = workspace.documents.open("small").diagnostics();
+  ASSERT_FALSE(mistakes.empty());
+  EXPECT_EQ(mistakes[0].file, (root_ / "meshes/tri.obj").string());
+}
+
+TEST_F(EffectEdits, AccuracyIsMeasuredOnceAPicture) {
+  Workspace workspace = open();
+  workspace.draw(kSize);
+  const auto shown = picture(workspace);
+  ASSERT_TRUE(workspace.measure_accuracy());
+  ASSERT_EQ(workspace.accuracy().entries().size(), 1u);
+  const AccuracyLog::Entry first = workspace.accuracy().entries()[0];
+  EXPECT_EQ(first.method, "avboit");
+  EXPECT_GT(first.rmse, 1e-5);
+  EXPECT_LT(first.rmse, 0.05);
+  EXPECT_GT(first.ms, 0);
+  EXPECT_TRUE(workspace.is_outdated()) << "the reference stands where the picture was";
+  workspace.draw(kSize);
+  EXPECT_EQ(picture(workspace), shown);
+  EXPECT_FALSE(workspace.measure_accuracy()) << "it was";
+
+  const auto wboit = std::ranges::find(workspace.a.methods, std::string("wboit"), &MethodInstance::owner);
+  workspace.choose_method(workspace.a, size_t(wboit - workspace.a.methods.begin()));
+  workspace.draw(kSize);
+  ASSERT_TRUE(workspace.measure_accuracy());
+  EXPECT_FALSE(workspace.is_outdated()) << "the reference was drawn before";
+  ASSERT_EQ(workspace.accuracy().entries().size(), 2u);
+  EXPECT_GT(workspace.accuracy().entries()[1].rmse, 2 * first.rmse);
+  workspace.playback.go_to(51);
+  workspace.change();
+  workspace.draw(kSize);
+  EXPECT_TRUE(workspace.accuracy().entries().empty()) << "of another tick";
+}
+
+TEST_F(EffectEdits, ViewsBeginWithASliceInUseAndShareTheirScale) {
+  Workspace workspace = open();
+  const auto look = [&](Side& side, const char* view) {
+    side.view.choose(*Inspector::find(*side.method().method, view));
+    workspace.change();
+  };
+  look(workspace.a, "extinction");
+  workspace.draw(kSize);
+  ASSERT_TRUE(workspace.a.view.shown);
+  EXPECT_EQ(workspace.a.view.shown->slice, workspace.a.view.shown->slices.size() / 2);
+  EXPECT_EQ(workspace.a.view.slice, workspace.a.view.shown->slice);
+  EXPECT_GT(workspace.a.view.found.count, 0u) << "something is there";
+
+  workspace.compare(Comparison::kSplit);
+  look(workspace.a, "shaded");
+  look(workspace.b, "shaded");
+  const auto avboit =
+      std::ranges::find(workspace.b.methods, std::string("avboit (B)"), &MethodInstance::owner);
+  workspace.choose_method(workspace.b, size_t(avboit - workspace.b.methods.begin()));
+  set_parameter(*workspace.b.method().method, "half_particles", "true");
+  workspace.draw(kSize);
+  const SideView &a = workspace.a.view, &b = workspace.b.view;
+  ASSERT_NE(a.found.most, b.found.most) << "they differ";
+  EXPECT_EQ(a.scale.low, b.scale.low);
+  EXPECT_EQ(a.scale.high, b.scale.high);
+  EXPECT_EQ(a.scale.high, std::max(a.found.most, b.found.most));
+  EXPECT_EQ(picture(workspace), image_of(*a.shown, a.scale).pixels) << "and are drawn so";
+  workspace.b.view.range = SideView::Range::kHeld;
+  workspace.b.view.held = {0, 2};
+  workspace.draw(kSize);
+  EXPECT_EQ(b.scale.high, 2);
+  EXPECT_EQ(a.scale.high, a.found.most);
 }
 
 }  // namespace

@@ -295,7 +295,8 @@ class Visitor {
     which.view.choose(view);
     which.view.slice = number(std::max(view.slices, 1u));
     if (number(2)) which.view.logarithmic = !which.view.logarithmic;
-    if (number(3) == 0) which.view.range = glm::vec2(0.1f, 2.3f);
+    which.view.range = SideView::Range(number(3));
+    which.view.held = {0.1f, 2.3f};
     workspace_.change();
   }
 

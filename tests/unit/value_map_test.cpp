@@ -66,5 +66,52 @@ TEST(ValueMapTest, PixelsWithoutANumberAreStripedAndNoColourOfTheScale) {
   }
 }
 
+TEST(ValueMapTest, JoinedRangesAreThatOfAllNumbers) {
+  const auto same = [](const ValueRange& a, const ValueRange& b) {
+    EXPECT_EQ(a.least, b.least);
+    EXPECT_EQ(a.most, b.most);
+    EXPECT_EQ(a.least_positive, b.least_positive);
+    EXPECT_EQ(a.sum, b.sum);
+    EXPECT_EQ(a.count, b.count);
+  };
+  const ValueRange a = range_of(row({3, 0, 0.5f})), b = range_of(row({-2, 7})), none = range_of(row({}));
+  same(joined(a, b), range_of(row({3, 0, 0.5f, -2, 7})));
+  same(joined(a, none), a);
+  same(joined(none, b), b);
+  same(joined(range_of(row({-1, 0})), b), range_of(row({-1, 0, -2, 7})));
+}
+
+/// How bright each pixel of a patch is, above or below its mean: its pattern without its colour.
+std::vector<bool> pattern_of(float value) {
+  constexpr int kSide = 24;
+  const DisplayImage image = class_image({kSide, kSide, std::vector<float>(kSide * kSide, value)});
+  double mean = 0;
+  for (const auto& [r, g, b] : image.pixels) mean += (r + g + b) / double(kSide * kSide);
+  std::vector<bool> bright;
+  for (const auto& [r, g, b] : image.pixels) bright.push_back(r + g + b >= mean);
+  return bright;
+}
+
+TEST(ValueMapTest, ClassesAreToldApartWithoutTheirColours) {
+  const std::vector<float> classes{1, 2, 3, 4, kNothing};
+  for (const float a : classes)
+    for (const float b : classes)
+      if (a < b || std::isnan(b) != std::isnan(a)) {
+        const auto first = pattern_of(a), second = pattern_of(b);
+        size_t same = 0;
+        for (size_t i = 0; i < first.size(); ++i) same += first[i] == second[i];
+        EXPECT_LT(double(same), 0.8 * double(first.size())) << a << " " << b;
+      }
+}
+
+TEST(ValueMapTest, KeysToClassesHaveThePicturesTexels) {
+  const DisplayImage image = class_image({4, 2, {1, 2, 3, kNothing, 3, 2, 1, kNothing}});
+  const auto at = [&](int x, int y) { return image.pixels[size_t(y) * 4 + size_t(x)]; };
+  EXPECT_EQ(at(0, 0), class_texel(0, 0, 0));
+  EXPECT_EQ(at(1, 0), class_texel(1, 1, 0));
+  EXPECT_EQ(at(0, 1), class_texel(2, 0, 1));
+  EXPECT_EQ(at(3, 1), absent_texel(3, 1));
+}
+
 }  // namespace
 }  // namespace plume

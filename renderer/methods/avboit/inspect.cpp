@@ -84,7 +84,8 @@ std::vector<View> views_of(const Settings& s) {
             "Of a cell of the volume: view depth behind which less than zero_transmittance is left, at the "
             "end of a slice.",
         .unit = "m",
-        .logarithmic = true},
+        .logarithmic = true,
+        .absent = "some light passes all the way"},
        [](const Picture& picture, const Plan& plan, const Glance& glance) {
          glance_at_zero_depth(picture, plan, glance, "zero_slice", 0);
        }}};
@@ -94,7 +95,8 @@ std::vector<View> views_of(const Settings& s) {
                       .help = "Of a tile of 16 pixels: view depth behind which no fragment is drawn, the "
                               "farthest zero-transmittance depth that its pixels read and a guard.",
                       .unit = "m",
-                      .logarithmic = true},
+                      .logarithmic = true,
+                      .absent = "nothing is culled"},
                      [](const Picture& picture, const Plan& plan, const Glance& glance) {
                        glance_at_zero_depth(picture, plan, glance, "zero_depths", 1);
                      }});
@@ -105,34 +107,37 @@ std::vector<View> views_of(const Settings& s) {
           .help = "Of a cell: end of the first slice whose field could not hold the optical depth "
                   "in it, m. From there on every slice counts as full.",
           .unit = "m",
-          .logarithmic = true},
+          .logarithmic = true,
+          .absent = "no overflow"},
          glance_at_overflow});
   views.push_back({{.id = "occupancy",
                     .title = "Occupied slices",
                     .help = "Of a tile of cells: physical slices that cards touch or read, which are cleared "
                             "and integrated there.",
-                    .unit = "slices"},
+                    .unit = "slices",
+                    .absent = "no slice"},
                    [](const Picture& picture, const Plan&, const Glance& glance) {
                      glance_at_occupancy(picture, glance, 0);
                    }});
-  views.push_back(
-      {{.id = "occupied",
-        .title = "Occupancy of a slice",
-        .help = "Tiles of cells in which a slice is occupied: 1 by scalar sources, 2 by RGB ones, "
-                "3 by both.",
-        .unit = "sources",
-        .range = glm::vec2(0, 3),
-        .slices = s.slice_count()},
-       [](const Picture& picture, const Plan&, const Glance& glance) {
-         glance_at_occupancy(picture, glance, 1);
-       }});
+  views.push_back({{.id = "occupied",
+                    .title = "Occupancy of a slice",
+                    .help = "Tiles of cells in which a slice is occupied, and what by.",
+                    .unit = "",
+                    .range = glm::vec2(0, 3),
+                    .slices = s.slice_count(),
+                    .absent = "empty there",
+                    .classes = {"1: scalar sources", "2: RGB sources", "3: both"}},
+                   [](const Picture& picture, const Plan&, const Glance& glance) {
+                     glance_at_occupancy(picture, glance, 1);
+                   }});
   views.push_back({{.id = "extinction",
                     .title = "Extinction in a slice",
                     .help = "Optical depth that was splatted into a slice of each cell, of RGB sources the "
                             "mean of the channels. Cards in exact layers are not in it.",
                     .unit = "optical depth",
                     .logarithmic = true,
-                    .slices = s.slice_count()},
+                    .slices = s.slice_count(),
+                    .absent = "empty there"},
                    glance_at_extinction});
   views.push_back(
       {{.id = "integral",
@@ -141,7 +146,8 @@ std::vector<View> views_of(const Settings& s) {
                 "of the channels. Cards in exact layers are not in it.",
         .unit = "transmittance",
         .range = glm::vec2(0, 1),
-        .slices = s.slice_count()},
+        .slices = s.slice_count(),
+        .absent = "slice not in use"},
        glance_at_integral});
   views.push_back(
       {{.id = "slice_map",
@@ -149,7 +155,9 @@ std::vector<View> views_of(const Settings& s) {
         .help = "A chart over the picture: physical slices in use from left to right, the virtual "
                 "slice of each as the height and the number of its bar. Steps are empty space "
                 "that is skipped.",
-        .unit = "virtual slice"},
+        .unit = "virtual slice",
+        .absent = "above the bar",
+        .over_slices = true},
        glance_at_slice_map});
   return views;
 }
