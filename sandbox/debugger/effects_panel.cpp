@@ -125,11 +125,12 @@ void emitter_row(Interface& interface, size_t instance, uint32_t call, size_t in
   ImGui::PushID(int(index));
   const std::string& name = stage.scene().instances[instance].name;
   const bool selected = selection.instance == name && selection.emitter == index;
-  ImGui::Indent();
+  const float indent = 0.8f * ImGui::GetFontSize();
+  ImGui::Indent(indent);
   if (ImGui::Selectable(instances.described(emitter).name.c_str(), selected))
     select(selection, stage.scene().instances[instance], index);
   name_widget(fmt::format("{} / {}", name, instances.described(emitter).name));
-  ImGui::Unindent();
+  ImGui::Unindent(indent);
   const Living living = living_of(emitter);
   cell(emitter.wanted ? fmt::format("{} of {}", living.alive, living.capacity) : "asleep");
   tooltip(fmt::format("{} particles alive, at most {} at once", living.alive, living.capacity));
@@ -198,7 +199,8 @@ void hierarchy(Interface& interface) {
     return;
   const float em = ImGui::GetFontSize();
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed, 8 * em);
+  ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed,
+                          std::min(8 * em, 0.38f * ImGui::GetContentRegionAvail().x));
   ImGui::TableSetupColumn("switches", ImGuiTableColumnFlags_WidthFixed, 4.2f * em);
   for (size_t i = 0; i < demand.size(); ++i) {
     ImGui::PushID(int(i));
@@ -348,7 +350,7 @@ void edit_effect(Interface& interface, PresetDocument& document) {
 void depths(Interface& interface) {
   Workspace& workspace = interface.workspace;
   EffectSelection& selection = interface.effects;
-  const bool open = ImGui::TreeNodeEx("depth in the picture");
+  const bool open = ImGui::TreeNodeEx("depth in the picture", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   name_widget("depth in the picture");
   tooltip(
       "Where in depth the particles are (outline) and where the camera offset draws them (filled), over the "
@@ -357,7 +359,7 @@ void depths(Interface& interface) {
   if (!open) return;
   SeenDepths& seen = selection.depths;
   const auto index = selected_instance(interface);
-  if (!index) return ImGui::TreePop();
+  if (!index) return;
   const Side& side = workspace.shows(workspace.a) ? workspace.a : workspace.b;
   const bool is_due = ImGui::GetTime() - seen.at_s >= 1.0 / kDepthsPerSecond;
   const bool differs = seen.instance != selection.instance || (seen.picture != workspace.picture() && is_due);
@@ -371,7 +373,6 @@ void depths(Interface& interface) {
     seen.bins = depth_bins(seen.emitters, workspace.scene().near_m);
   }
   depth_ruler(seen.emitters, seen.bins, selection.emitter, workspace.scene().near_m, seen.slices);
-  ImGui::TreePop();
 }
 
 /// Named, with a star while it is not saved.
