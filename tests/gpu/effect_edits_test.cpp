@@ -355,6 +355,8 @@ TEST_F(EffectEdits, ACameraOffsetMovesParticlesToOtherSlices) {
   EXPECT_TRUE(emitter_depths(workspace.stage(), 2, workspace.camera()).empty()) << "not called";
 
   SlicedDepth slices = sliced_depth(device, workspace.a.method());
+  ASSERT_TRUE(slices.curve);
+  EXPECT_LT(slices.curve->slice(emitters[0].drawn_m(6, 0.1f)), slices.curve->slice(6) - 1) << "another slice";
   const uint32_t finest = slices.curve->count;
   set_parameter(*workspace.a.method().method, "slices", "32");
   workspace.change();
@@ -366,7 +368,6 @@ TEST_F(EffectEdits, ACameraOffsetMovesParticlesToOtherSlices) {
   EXPECT_EQ(curve.slice(0), 0);
   EXPECT_EQ(curve.slice(curve.b), float(curve.count));
   EXPECT_NEAR(curve.depth_m(curve.slice(7.5f)), 7.5f, 1e-4f);
-  EXPECT_LT(curve.slice(emitters[0].drawn_m(6, 0.1f)), curve.slice(6) - 1) << "another slice";
 
   // Each physical slice is the part of the virtual one that the curve puts it into.
   ASSERT_GT(slices.physical.size(), 4u);
