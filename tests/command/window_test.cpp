@@ -176,6 +176,18 @@ TEST_F(WindowTest, KeepsItsSettingsForTheNextSession) {
   EXPECT_EQ(picture.height, 250);
 }
 
+TEST_F(WindowTest, KeepsWhatWasChangedByHand) {
+  if (std::system("command -v xdotool > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "nothing to press keys with; install the package xdotool";
+  const pid_t window = start({"open", "quads_mcguire", "--at", "0"}, display_->environment());
+  const std::string user = "DISPLAY=" + display_->environment().at("DISPLAY") +
+                           " timeout 20 xdotool search --sync --onlyvisible --name Plume mousemove 600 150 "
+                           "sleep 2 key Tab sleep 0.5 key ctrl+equal sleep 0.5 key Escape > /dev/null";
+  EXPECT_EQ(std::system(user.c_str()), 0);
+  EXPECT_EQ(wait(window).exit_code, 0);
+  EXPECT_TRUE(says(read("config/settings.toml"), {"panels = false", "text_scale = 1.125"}));
+}
+
 TEST_F(WindowTest, PutsBrokenSettingsAsideAndTellsWhatIsLeftOut) {
   write("config/settings.toml", "scene = 3\n");
   Outcome outcome = open({"open", "quads_mcguire"});
