@@ -15,7 +15,7 @@ namespace {
 
 constexpr ImU32 kInk = IM_COL32(255, 255, 255, 235), kFaint = IM_COL32(255, 255, 255, 175),
                 kGround = IM_COL32(0, 0, 0, 205), kBorder = IM_COL32(255, 255, 255, 60);
-constexpr float kBarLines = 22, kLeastLines = 8;  // width, in lines of text
+constexpr float kBarLines = 22, kLeastLines = 6;  // width, in lines of text
 constexpr int kChartLabels = 5;
 
 using Texel = std::array<uint8_t, 3>;
