@@ -160,7 +160,7 @@ DepthBins depth_bins(std::span<const EmitterDepths> emitters, float near_m) {
 }
 
 void depth_ruler(std::span<const EmitterDepths> emitters, const DepthBins& bins, std::optional<size_t> chosen,
-                 float near_m, const std::optional<DepthSlices>& slices) {
+                 float near_m, const SlicedDepth& slices) {
   if (bins.rows.empty()) return note("No particle of it lives at this tick.");
   const float line = ImGui::GetFontSize();
   const ImVec2 from = ImGui::GetCursorScreenPos();

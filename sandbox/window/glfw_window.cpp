@@ -90,13 +90,12 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::uvec2 size, std::optional<
 
   glfwSetWindowUserPointer(window_.get(), events_.get());
   glfwSetKeyCallback(window_.get(), [](GLFWwindow* window, int code, int, int action, int mods) {
-    hear(window, 
-        KeyChanged{.press = {Key(code), (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0},
-                   .down = action != GLFW_RELEASE});
+    hear(window,
+         KeyChanged{.press = {Key(code), (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0},
+                    .down = action != GLFW_RELEASE});
   });
-  glfwSetCharCallback(window_.get(), [](GLFWwindow* window, unsigned character) {
-    hear(window, TextTyped{character});
-  });
+  glfwSetCharCallback(window_.get(),
+                      [](GLFWwindow* window, unsigned character) { hear(window, TextTyped{character}); });
   glfwSetMouseButtonCallback(window_.get(), [](GLFWwindow* window, int button, int action, int) {
     if (size_t(button) < kButtons)
       hear(window, ButtonChanged{.button = Button(button), .down = action == GLFW_PRESS});

@@ -26,8 +26,8 @@ class Overlay {
   Overlay(gpu::Device& device, const GlfwWindow* window, vk::Format format);
 
   /// ImGui's panels may be described between the two. `text_scale` is of the text and all around it, in
-  /// ImGui's coordinates, each of which is `pixel_ratio` pixels. Pictures that the gallery wants are seen from
-  /// now on.
+  /// ImGui's coordinates, each of which is `pixel_ratio` pixels. Pictures that the gallery wants are seen
+  /// from now on.
   void begin(float text_scale, float pixel_ratio, const WindowInput& input, PresetGallery& gallery);
   void end();
   /// Whether the pointer, or the keyboard, is busy in a panel; asked after begin().

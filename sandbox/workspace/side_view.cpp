@@ -16,10 +16,8 @@ void show(gpu::Device& device, const Targets& targets, const DisplayImage& image
 
 ViewChoice SideView::choice() const {
   if (!shown) return {};
-  return {.id = id,
-          .slice = shown->slice,
-          .logarithmic = logarithmic,
-          .range = glm::vec2(scale.low, scale.high)};
+  return {
+      .id = id, .slice = shown->slice, .logarithmic = logarithmic, .range = glm::vec2(scale.low, scale.high)};
 }
 
 void SideView::choose(const Inspection& view) {

@@ -28,6 +28,7 @@ struct OpenPanels {
     interface.crosshair.ask_of_others(workspace, {"moments", "wboit"});
     interface.help = true;
     interface.effects.name = workspace.scene().instances.front().effect;
+    interface.effects.instance = workspace.scene().instances.front().name;
     interface.effects.emitter = 0;
     for (int i = 0; i < 4; ++i) frame(), open_trees();
     workspace.draw(kWindow / 8u);
@@ -40,7 +41,7 @@ struct OpenPanels {
   }
 
   void frame() {
-    overlay.begin(1.0f, 1.0f, {});
+    overlay.begin(1.0f, 1.0f, {}, interface.gallery);
     describe_panels(interface);
     overlay.end();
   }

@@ -86,10 +86,8 @@ class LightingTest : public GpuTest {
     std::vector<uint32_t> in_order(count);
     std::iota(in_order.begin(), in_order.end(), 0u);
     const auto submission = gpu::make_buffer(device, "test", "submission", in_order);
-    Transparents transparents{.cards = &cards,
-                              .view = &view,
-                              .count = count,
-                              .counts = cards_by_source(simulation.instances())};
+    Transparents transparents{
+        .cards = &cards, .view = &view, .count = count, .counts = cards_by_source(simulation.instances())};
     transparents.counts[0] += kPanes;
     std::vector<shared::Card> panes(kPanes);
     for (shared::Card& pane : panes) pane.optical_depth = 1.0f;

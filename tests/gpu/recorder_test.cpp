@@ -235,8 +235,7 @@ class Visitor {
       case 11:
         return look();
       case 12:
-        workspace_.drop_effect("puffs", workspace_.shows(workspace_.a) ? workspace_.a : workspace_.b,
-                               {0.5f, 0.9f});
+        workspace_.drop_effect("puffs", {0.5f, 0.9f});
         return;
       default:
         return workspace_.open_scene(number(3) ? "yard" : "quads_mcguire");

@@ -22,10 +22,9 @@ MethodInstance method(std::string_view id) {
 
 TEST(AccuracyLogTest, ErrorsAreAgainstTheReference) {
   AccuracyLog log;
-  EXPECT_FALSE(log.has_reference());
-  log.set_reference(grey(0.5f, 100));
-  log.add(method("wboit"), grey(0.75f, 120), 3);
-  log.add(method("sorted"), grey(0.5f, 100), 2);
+  const DrawnPicture exact = grey(0.5f, 100);
+  log.add(method("wboit"), grey(0.75f, 120), exact, 3);
+  log.add(method("sorted"), grey(0.5f, 100), exact, 2);
   ASSERT_EQ(log.entries().size(), 2u);
   EXPECT_NEAR(log.entries()[0].rmse, 0.25, 1e-6);
   EXPECT_GT(log.entries()[0].flip, 0.01);
@@ -36,14 +35,14 @@ TEST(AccuracyLogTest, ErrorsAreAgainstTheReference) {
 
 TEST(AccuracyLogTest, EachSettingOfAMethodHasOneEntry) {
   AccuracyLog log;
-  log.set_reference(grey(0.5f, 100));
+  const DrawnPicture exact = grey(0.5f, 100);
   MethodInstance wboit = method("wboit");
-  log.add(wboit, grey(0.6f, 110), 3);
+  log.add(wboit, grey(0.6f, 110), exact, 3);
   set_parameter(*wboit.method, "weight", "eq9");
   EXPECT_FALSE(log.has(wboit)) << "as it is set now it was not seen";
-  log.add(wboit, grey(0.7f, 120), 4);
+  log.add(wboit, grey(0.7f, 120), exact, 4);
   EXPECT_EQ(log.entries().size(), 2u);
-  log.add(wboit, grey(0.8f, 130), 5);
+  log.add(wboit, grey(0.8f, 130), exact, 5);
   ASSERT_EQ(log.entries().size(), 2u) << "measured anew";
   EXPECT_NEAR(log.entries()[1].rmse, 0.3, 1e-6);
   EXPECT_EQ(log.entries()[1].ms, 5);
@@ -55,11 +54,10 @@ TEST(AccuracyLogTest, EachSettingOfAMethodHasOneEntry) {
 
 TEST(AccuracyLogTest, AnotherPictureForgetsAll) {
   AccuracyLog log;
-  log.set_reference(grey(0.5f, 100));
-  log.add(method("wboit"), grey(0.6f, 110), 3);
+  const DrawnPicture exact = grey(0.5f, 100);
+  log.add(method("wboit"), grey(0.6f, 110), exact, 3);
   log.clear();
   EXPECT_TRUE(log.entries().empty());
-  EXPECT_FALSE(log.has_reference());
   EXPECT_FALSE(log.has(method("wboit")));
 }
 
