@@ -210,6 +210,36 @@ TEST_F(InspectTest, TransmittanceBehindASliceIsWhatTheProbeReadsThere) {
   }
 }
 
+TEST_F(InspectTest, TransmittanceIsReadOnlyWhereItWasIntegrated) {
+  size = {320, 180};  // many tiles, and slices that few of them have
+  for (const double z : {4.0, 6.0, 9.0, 13.0})
+    add({.z = float(z),
+         .optical_depth = 0.5f,
+         .transmission = {0.9f, 0.2f, 0.4f},
+         .half_size = {1, 1},
+         .at = {random.f(-2, 2), random.f(-1, 1)}});
+  const auto w = world();
+  MethodInstance method = instance("avboit");
+  const auto draw = [&](const Glance* glance) {
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, nullptr, glance);
+  };
+  draw(nullptr);
+  const size_t used = method.method->depth_slices(device, method.resources).size();
+  fill_with_poison(method.method->needs(size, w->transparents), method.resources);
+  ASSERT_GT(used, 4u);
+  float least = 1;
+  for (uint32_t slice = 0; slice < used; ++slice) {
+    const Glance glance(device, size, "integral", slice);
+    draw(&glance);
+    for (const float t : glance.read_values(device)) {
+      ASSERT_GE(t, 0) << "slice " << slice;
+      ASSERT_LE(t, 1) << "slice " << slice;
+      least = std::min(least, t);
+    }
+  }
+  EXPECT_LT(least, 0.8f);
+}
+
 TEST_F(InspectTest, ZeroTransmittanceIsWhereTheStepFunctionReachesItToASlice) {
   // The step function falls to exp(-6) at the sixth card and below 1/1024 at the seventh.
   add_walls_of_smoke({4, 5, 6, 7, 8.5f, 10, 12, 15, 20}, 1.0f);
