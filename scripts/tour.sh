@@ -155,6 +155,14 @@ reveal() {   # WIDGET PANEL: turns the wheel over the panel's dock until the wid
   fail "\`$1\` is nowhere in the dock of $2"
 }
 
+choose_scene() {   # of pictures, of which not all are seen at once
+  click scene
+  wait_for "the list of scenes" is window types
+  hand type "$1"
+  click "scene: $1"
+  wait_for "the scene to be $1" is scene "$1"
+  drawn
+}
 choose() {   # LIST ITEM: opens a list and takes one of it
   click "$1"
   click "$1: $2"
@@ -265,7 +273,7 @@ at() {
 reads() { [[ $(state graph) =~ ^$1\ fragments ]]; }
 place_crosshair() {
   local count pixel size
-  choose scene three_cards
+  choose_scene three_cards
   at 0 0.1 0
   wait_for "the crosshair" is_there graph
   at -1.2 0.3 0         # red alone, in the smoke
@@ -292,7 +300,7 @@ place_crosshair() {
 
 toggle_colours() {
   local modes mode
-  choose scene coloured
+  choose_scene coloured
   reveal "parameter colour" Method
   click "parameter colour"
   wait_for "the list" is_there "parameter colour: mono"
@@ -327,7 +335,7 @@ look_at_views() {
 
 edit_effect() {
   local file=$session/presets/effects/smoke_grenade.toml field line
-  choose scene grenade
+  choose_scene grenade
   cp "$file" "$session/before.toml"
   click 'grenade / smoke'
   field='emitter[0].motion.drag'
@@ -403,7 +411,7 @@ has_size() { [ "$(place window)" = "0 0 $1 $2" ] && is_drawn; }
 resize() {
   local i width height window count=200
   [ -z "$short" ] || count=12
-  choose scene three_cards
+  choose_scene three_cards
   window=$(xdotool search --onlyvisible --name Plume | head -1)
   for ((i = 1; i <= count; ++i)); do
     width=$((320 + i * 211 % 961)) height=$((180 + i * 157 % 541))

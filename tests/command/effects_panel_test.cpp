@@ -277,6 +277,7 @@ TEST_F(EffectsPanel, AKeyOfACurveIsMadeDraggedAndTakenAway) {
   select_emitter("only set");
   click("only set");
   click("emitter[0].look.fade over life");
+  act("mousemove 12 500 click --repeat 8 5");  // all of it into the panel
   const auto canvas = middle("curve");
   ASSERT_TRUE(canvas) << read("places");
 

@@ -1,7 +1,9 @@
 // From depth to slice: the curve, which slices cards cover, and what adaptation makes of them.
 #include <algorithm>
+#include <numeric>
 #include <set>
 
+#include "shaders/shared/workload.h"
 #include "tests/gpu/avboit_probe.h"
 
 namespace plume {
@@ -78,10 +80,19 @@ class AvboitCoverage : public AvboitTest {
     v.cards = uint32_t(cards.size());
     const gpu::Buffer block = upload("volume", std::vector{v}), eye = upload("view", std::vector{view()}),
                       in = upload("cards", cards),
-                      out = upload("coverage", std::vector<uint32_t>(2 * kWords));
+                      out = upload("coverage", std::vector<uint32_t>(2 * kWords)),
+                      work = upload("work", std::vector{shared::workload_of(v.cards)});
+    std::vector<uint32_t> in_order(cards.size());
+    std::iota(in_order.begin(), in_order.end(), 0u);
+    const gpu::Buffer seen = upload("order", in_order);
     dispatch("methods/avboit/coverage.comp", {},
-             {{"VolumeBlock", &block}, {"View", &eye}, {"Cards", &in}, {"Coverage", &out}}, 0u,
-             {gpu::groups(cards.size(), 256), 1, 1});
+             {{"VolumeBlock", &block},
+              {"View", &eye},
+              {"Cards", &in},
+              {"Order", &seen},
+              {"Work", &work},
+              {"Coverage", &out}},
+             0u, {gpu::groups(cards.size(), 256), 1, 1});
     return {gpu::read<uint32_t>(device, out)};
   }
   /// Exactly the slices between the bounds; the first and the last may be off by one where a bound is within

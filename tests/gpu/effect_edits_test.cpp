@@ -415,6 +415,7 @@ TEST_F(EffectEdits, AChangedMeshIsWhatItsParticlesAreBornOn) {
 
 TEST_F(EffectEdits, AccuracyIsMeasuredOnceAPicture) {
   Workspace workspace = open();
+  workspace.compares = true;
   workspace.draw(kSize);
   const auto shown = picture(workspace);
   ASSERT_TRUE(workspace.measure_accuracy());
