@@ -1,14 +1,7 @@
 // Effects that are edited while they run: what one sees is what the saved file would give.
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "sandbox/scene/view.h"
 #include "sandbox/workspace/emitter_depths.h"
-#include "sandbox/workspace/workspace.h"
-#include "tests/gpu/gpu_test.h"
+#include "tests/gpu/workspace_test.h"
 
 namespace plume {
 namespace {
@@ -65,32 +58,15 @@ name = "never"
 effect = "other"
 )";
 
-class EffectEdits : public GpuTest {
+class EffectEdits : public WorkspaceTest {
  protected:
   EffectEdits() {
-    fs::remove_all(root_);
-    fs::create_directories(root_ / "effects");
-    fs::create_directories(root_ / "scenes");
     write("effects/small.toml", kEffect);
     write("effects/other.toml", kEffect);
     write("scenes/three.toml", kScene);
   }
-  ~EffectEdits() override { fs::remove_all(root_); }
 
-  void write(const fs::path& name, std::string_view text) const { std::ofstream(root_ / name) << text; }
-  static std::string with(std::string_view text, std::string_view old, std::string_view by) {
-    std::string changed(text);
-    return changed.replace(changed.find(old), old.size(), by);
-  }
-
-  Workspace open(uint32_t tick = 50) {
-    return {device, pipelines, presets_, presets_.scene("three"), Playback(tick, 200, false)};
-  }
-  /// Draws, and gives the state of all particles that are seen.
-  uint64_t seen(Workspace& workspace) {
-    workspace.draw(kSize);
-    return workspace.stage().simulation().state_hash();
-  }
+  Workspace open(uint32_t tick = 50) { return WorkspaceTest::open(presets_.scene("three"), tick); }
   auto picture(const Workspace& workspace) {
     return read_picture(device, *workspace.a.targets).display.pixels;
   }
@@ -98,15 +74,12 @@ class EffectEdits : public GpuTest {
       const std::function<void(Scene&)>& change = [](Scene&) {}, uint32_t tick = 50) {
     Scene scene = presets_.scene("three");
     change(scene);
-    Workspace workspace(device, pipelines, presets_, std::move(scene), Playback(tick, 200, false));
+    Workspace workspace = WorkspaceTest::open(std::move(scene), tick);
     const uint64_t hash = seen(workspace);
     picture_anew_ = picture(workspace);
     return hash;
   }
 
-  static constexpr glm::uvec2 kSize{96, 54};
-  const fs::path root_ = fs::path(testing::TempDir()) / fmt::format("plume_edits_{}", ::getpid());
-  const PresetLibrary presets_{root_};
   std::vector<std::array<uint8_t, 3>> picture_anew_;  // of the last anew()
 };
 

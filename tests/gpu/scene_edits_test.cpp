@@ -1,20 +1,12 @@
 // A scene that is changed while it is shown: what one sees is what its text says, and the text is what is
 // saved.
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "sandbox/presets/diagnostics.h"
 #include "sandbox/workspace/living_particles.h"
 #include "sandbox/workspace/seen_place.h"
-#include "tests/gpu/gpu_test.h"
+#include "tests/gpu/workspace_test.h"
 
 namespace plume {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kEffect = R"(name = "Small"
 [[emitter]]
@@ -54,42 +46,20 @@ position = [1.5, 1.0, 0.0]
 seed = 2
 )";
 
-class SceneEditsTest : public GpuTest {
+class SceneEditsTest : public WorkspaceTest {
  protected:
   SceneEditsTest() {
-    fs::remove_all(root_);
-    for (const char* folder : {"effects", "scenes"}) fs::create_directories(root_ / folder);
     write("effects/small.toml", kEffect);
     write("scenes/two.toml", kScene);
   }
-  ~SceneEditsTest() override { fs::remove_all(root_); }
 
-  void write(const fs::path& name, std::string_view text) const { std::ofstream(root_ / name) << text; }
-  std::string read(const fs::path& name) const {
-    std::ifstream file(root_ / name);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  static std::string with(std::string_view text, std::string_view old, std::string_view by) {
-    std::string changed(text);
-    return changed.replace(changed.find(old), old.size(), by);
-  }
-  Workspace open(const std::string& scene = "two") {
-    return {device, pipelines, presets_, presets_.scene(scene), Playback(50, 200, false)};
-  }
-  uint64_t seen(Workspace& workspace) {
-    workspace.draw(kSize);
-    return workspace.stage().simulation().state_hash();
-  }
+  Workspace open(const std::string& scene = "two") { return WorkspaceTest::open(presets_.scene(scene)); }
   /// Of a scene with this text, opened anew.
   uint64_t anew(const std::string& text) {
     write("scenes/anew.toml", text);
     Workspace workspace = open("anew");
     return seen(workspace);
   }
-
-  static constexpr glm::uvec2 kSize{96, 54};
-  const fs::path root_ = fs::path(testing::TempDir()) / fmt::format("plume_scene_edits_{}", ::getpid());
-  const PresetLibrary presets_{root_};
 };
 
 TEST_F(SceneEditsTest, WhatIsDroppedMovedAndRemovedIsTheSavedFileOpenedAnew) {
