@@ -92,6 +92,11 @@ class Description : public ParameterVisitor {
                     {"help", help},
                     {"value", options[static_cast<size_t>(value)]}});
   }
+  void modes(std::string_view name, int& value, std::span<const Mode> modes, std::string_view help) override {
+    ParameterVisitor::modes(name, value, modes, help);
+    auto& helps = list.back()["option_help"];
+    for (const Mode& mode : modes) helps.push_back(mode.help);
+  }
 };
 
 /// The whole of `text` as a number; nothing when it is not one.

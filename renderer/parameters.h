@@ -19,6 +19,10 @@ struct NumberInfo {
   std::string_view help;  ///< what it trades, one sentence
 };
 
+struct Mode {
+  std::string_view name, help;
+};
+
 /// A method calls exactly one of these per parameter, always in the same order.
 class ParameterVisitor {
  public:
@@ -29,6 +33,12 @@ class ParameterVisitor {
   /// `value` is an index into `options`.
   virtual void choice(std::string_view name, int& value, std::span<const std::string_view> options,
                       std::string_view help) = 0;
+  /// A choice between few things that each deserve a sentence.
+  virtual void modes(std::string_view name, int& value, std::span<const Mode> modes, std::string_view help) {
+    std::vector<std::string_view> options;
+    for (const Mode& mode : modes) options.push_back(mode.name);
+    choice(name, value, options, help);
+  }
 };
 
 struct ParameterError : std::runtime_error {

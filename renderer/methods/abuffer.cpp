@@ -129,6 +129,13 @@ class Abuffer final : public Method {
     const auto last = gpu::read<shared::BoundedLayers>(device, resources.buffer("bounded"))[0];
     return {{"fragments_in_tail", last.overflowed_fragments}, {"pixels_with_tail", last.overflowed_pixels}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "fragments_in_tail",
+         .what = "fragments found no layer free and are averaged into one behind them",
+         .remedy = "raise `layers`"}};
+    return kShortfalls;
+  }
 
  private:
   bool nearest() const { return keep_ == 0; }

@@ -100,6 +100,13 @@ class Aoit final : public Method {
     const shared::NodeOverflow overflow = pixel_nodes::overflow(device, resources);
     return {{"merged_fragments", overflow.fragments}, {"pixels_with_merges", overflow.pixels}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "merged_fragments",
+         .what = "fragments found no node free and were merged: what is far is too dark",
+         .remedy = "raise `nodes`"}};
+    return kShortfalls;
+  }
 
  private:
   pixel_nodes::Lock lock() const { return pixel_nodes::Lock(lock_); }

@@ -68,6 +68,13 @@ class Coloured final : public Method {
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
     return weighted().statistics(device, resources);
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {{.statistic = "overflowed_pixels",
+                                                 .what = "pixels have sums too large for their floats: what "
+                                                         "is known there is the coverage, not the colour",
+                                                 .remedy = "set `sums` to float"}};
+    return kShortfalls;
+  }
 
  private:
   Weighted weighted() const {

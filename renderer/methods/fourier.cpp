@@ -78,6 +78,13 @@ class Fourier final : public Method {
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
     return cells_.statistics(device, resources);
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "outside_range",
+         .what = "fragments lie outside the range of depths and count as if at its end",
+         .remedy = "widen `near` and `far`, or set `range` to pixel"}};
+    return kShortfalls;
+  }
 
  private:
   gpu::Constants own_constants() const { return {kPairs[coefficients_]}; }

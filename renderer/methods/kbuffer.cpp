@@ -108,6 +108,13 @@ class KBuffer final : public Method {
     const shared::NodeOverflow overflow = pixel_nodes::overflow(device, resources);
     return {{"tail_fragments", overflow.fragments}, {"pixels_with_tail", overflow.pixels}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "tail_fragments",
+         .what = "fragments found no node free and mix in a tail, without their order",
+         .remedy = "raise `nodes`"}};
+    return kShortfalls;
+  }
 
  private:
   pixel_nodes::Lock pixel_lock() const {

@@ -79,6 +79,13 @@ class LinkedList final : public Method {
             {"capacity", pool.capacity},
             {"fragments_in_tail", pool.count - std::min(pool.count, pool.capacity)}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "fragments_in_tail",
+         .what = "fragments found the pool full and are averaged behind the rest, without their order",
+         .remedy = "raise `fragments`"}};
+    return kShortfalls;
+  }
 
  private:
   /// Nodes are numbered in 32 bits.

@@ -105,6 +105,13 @@ struct DepthMarks {
   std::optional<float> overflow_m;  ///< where the first slice begins whose sum overflowed
 };
 
+/// Something that a method got wrong because there was no room or no number for it. Read aloud: the count, then
+/// `what`; then `remedy`, in which names of parameters stand in backticks.
+struct Shortfall {
+  std::string_view statistic;  ///< of statistics(), that counts it; 0, or not there: it did not happen
+  std::string_view what, remedy;
+};
+
 /// What a reader of the method list wants to know before any picture.
 struct Traits {
   std::string_view title;
@@ -165,6 +172,8 @@ class Method {
   /// What the last frame tells of itself beyond its passes, name -> number; for reports. May wait for the
   /// device.
   virtual nlohmann::json statistics(gpu::Device&, const Resources&) const { return nlohmann::json::object(); }
+  /// What of these numbers means that the picture is less than the method can do.
+  virtual std::span<const Shortfall> shortfalls() const { return {}; }
   /// Called when the frame is done: true when something overflowed, needs() has grown, and the frame must be
   /// drawn again.
   virtual bool must_redraw(gpu::Device&, const Resources&) { return false; }

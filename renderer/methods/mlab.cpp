@@ -99,6 +99,13 @@ class Mlab final : public Method {
     const shared::NodeOverflow overflow = pixel_nodes::overflow(device, resources);
     return {{"merged_fragments", overflow.fragments}, {"pixels_with_merges", overflow.pixels}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "merged_fragments",
+         .what = "fragments found no layer free and were merged into the farthest",
+         .remedy = "raise `nodes`"}};
+    return kShortfalls;
+  }
 
  private:
   bool sorts() const { return order_ != kSubmission; }

@@ -138,6 +138,13 @@ class Moments final : public Method {
     }
     return result;
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "unsure_fragments",
+         .what = "fragments saw moments that no distribution has, to rounding, and took the nearest",
+         .remedy = "raise `moment_bias`, or keep fewer `moments`"}};
+    return kShortfalls;
+  }
 
  private:
   uint32_t nodes() const { return kNodes[kind_]; }

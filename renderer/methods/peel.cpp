@@ -106,6 +106,16 @@ class Peel final : public Method {
             {"dropped_fragments", counts.dropped},
             {"missed_fragments", counts.missed}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "dropped_fragments",
+         .what = "fragments lie behind the last layer that is peeled and are not drawn",
+         .remedy = "raise `layers`, or 0 to peel all"},
+        {.statistic = "missed_fragments",
+         .what = "fragments were counted but not found by any peel, and are not drawn",
+         .remedy = "this is a fault of the driver or of Plume: please report it with the scene"}};
+    return kShortfalls;
+  }
 
   bool must_redraw(gpu::Device& device, const Resources& resources) override {
     const uint32_t needed = peels_of(read_counts(device, resources));

@@ -139,6 +139,17 @@ class Phenomenological final : public Method {
     const auto counts = gpu::read<uint32_t>(device, resources.buffer("counts"));
     return {{"overflowed_pixels", counts[0]}, {"clipped_blur_pixels", counts[1]}};
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "overflowed_pixels",
+         .what = "pixels have sums too large for their floats: what is known there is the coverage, not the "
+                 "colour",
+         .remedy = "set `sums` to float"},
+        {.statistic = "clipped_blur_pixels",
+         .what = "pixels are blurred less than their diffuser asks for",
+         .remedy = "raise `blur_radius`"}};
+    return kShortfalls;
+  }
 
  private:
   gpu::Constants constants() const {

@@ -103,6 +103,13 @@ class Wavelets final : public Method {
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
     return cells_.statistics(device, resources);
   }
+  std::span<const Shortfall> shortfalls() const override {
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "outside_range",
+         .what = "fragments lie outside the range of depths and count as if at its end",
+         .remedy = "widen `near` and `far`, or set `range` to pixel"}};
+    return kShortfalls;
+  }
 
  private:
   /// In half floats many thin fragments' transmittances near 1 multiply to what rounding makes of them.

@@ -7,6 +7,7 @@
 #include "sandbox/debugger/effect_selection.h"
 #include "sandbox/debugger/preset_gallery.h"
 #include "sandbox/workspace/crosshair.h"
+#include "sandbox/workspace/method_account.h"
 #include "sandbox/workspace/recording.h"
 #include "sandbox/workspace/settings.h"
 
@@ -50,6 +51,7 @@ struct Interface {
   PresetGallery gallery{workspace.library()};
   Crosshair crosshair{};
   CrosshairView crosshair_view{};
+  MethodAccount account_a{}, account_b{};  ///< of the sides
   EffectSelection effects;
   FileQuestions questions;
   SceneNaming naming;

@@ -67,6 +67,28 @@ class ParameterWidgets : public ParameterVisitor {
     }
     ImGui::EndCombo();
   }
+  /// Buttons, of which one is pressed in.
+  void modes(std::string_view name, int& value, std::span<const Mode> modes, std::string_view help) override {
+    text(std::string(name));
+    tooltip(help);
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    for (int i = 0; i < int(modes.size()); ++i) {
+      const auto& [mode, what] = modes[size_t(i)];
+      const bool chosen = i == value;
+      const std::string label = fmt::format("{}{}", chosen ? "* " : "", mode);
+      const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+      if (i > 0 && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right)
+        ImGui::SameLine();
+      if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+      if (ImGui::Button(label.c_str()) && !chosen) {
+        value = i;
+        changed_ = true;
+      }
+      if (chosen) ImGui::PopStyleColor();
+      name_widget(fmt::format("parameter {} {} = {}", name, mode, chosen));
+      tooltip(what);
+    }
+  }
   bool changed() const { return changed_; }
 
  private:
@@ -99,10 +121,27 @@ void pick_method(Workspace& workspace, Side& side) {
   ImGui::EndCombo();
 }
 
-void describe_side(Workspace& workspace, Side& side) {
+/// Memory, and what the picture lacks. While pictures follow each other the sentences come and go, and what
+/// is below keeps its place.
+void give_account(Workspace& workspace, Side& side, const MethodAccount& account) {
+  const auto& shortfalls = account.shortfalls(side);
+  if (!shortfalls) return;
+  const uint64_t bytes = workspace.device().memory().owner_bytes(side.method().owner);
+  text(fmt::format("{:.1f} MiB of its own", double(bytes) / (1 << 20)));
+  tooltip("Images and buffers of this method at this size. Those of all others are in the Cost panel.");
+  float& height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("height of the account"));
+  const float top = ImGui::GetCursorPosY();
+  for (const std::string& sentence : *shortfalls) warning(sentence);
+  if (shortfalls->empty()) note("Nothing was dropped, merged or clamped in this picture.");
+  height = std::max(workspace.playback.playing() ? height : 0.0f, ImGui::GetCursorPosY() - top);
+  ImGui::SetCursorPosY(top + height);
+}
+
+void describe_side(Workspace& workspace, Side& side, const MethodAccount& account) {
   ImGui::PushID(&side);
   pick_method(workspace, side);
   ImGui::PushID(int(side.current));
+  give_account(workspace, side, account);
   ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.45f);
   ParameterWidgets widgets;
   side.method().method->visit(widgets);
@@ -135,12 +174,13 @@ void pick_comparison(Workspace& workspace) {
 void method_panel(Interface& interface) {
   Workspace& workspace = interface.workspace;
   pick_comparison(workspace);
-  if (workspace.comparison() == Comparison::kNone) return describe_side(workspace, workspace.a);
+  if (workspace.comparison() == Comparison::kNone)
+    return describe_side(workspace, workspace.a, interface.account_a);
   text("A");
-  describe_side(workspace, workspace.a);
+  describe_side(workspace, workspace.a, interface.account_a);
   ImGui::Separator();
   text("B");
-  describe_side(workspace, workspace.b);
+  describe_side(workspace, workspace.b, interface.account_b);
 }
 
 }  // namespace plume

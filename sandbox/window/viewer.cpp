@@ -20,12 +20,19 @@
 namespace plume {
 namespace {
 
+constexpr double kRestSeconds = 0.4;   // without a new picture, until that is drawn at all of its resolution
 constexpr double kIdleSeconds = 0.05;  // how long a tooltip may take to appear while nothing moves
 constexpr float kDegreesPerPixel = 0.25f;
 constexpr float kFlyMetresPerSecond = 3.0f, kFlyFast = 4.0f;
 constexpr double kLongestStep = 0.1;  // s: a slow picture is no reason to fly through a wall
 constexpr double kTellSeconds = 0.1;  // between two notices of what is made ready
 constexpr float kDividerReach = 6;    // screen coordinates to both sides
+
+/// The largest size of that shape in an area.
+glm::uvec2 fitted(glm::uvec2 shape, glm::uvec2 area) {
+  const glm::dvec2 scales = glm::dvec2(area) / glm::dvec2(shape);
+  return glm::max(glm::uvec2(glm::dvec2(shape) * std::min(scales.x, scales.y)), glm::uvec2(1));
+}
 
 /// An id, or the path of a file that is not in the library.
 std::string name_of(const Scene& scene, const PresetLibrary& library) try {
@@ -80,10 +87,14 @@ void Viewer::run(uint32_t frames) {
     } else if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) {
       if (drawn_for_ == glm::uvec2(0)) show();  // the panels, before the first picture is there
       draw();
+    } else if (now_s() - moved_s_ > kRestSeconds && !moves() && workspace_.resolution.rest()) {
+      workspace_.change();
     } else if (workspace_.compares && !workspace_.playback.playing() && !dragging_) {
       workspace_.measure_accuracy();
     }
     interface_.crosshair.update(workspace_, now_s());
+    interface_.account_a.update(workspace_, workspace_.a, now_s());
+    interface_.account_b.update(workspace_, workspace_.b, now_s());
     if (!show()) continue;
     ++shown;
     note_overlay();
@@ -91,23 +102,28 @@ void Viewer::run(uint32_t frames) {
 }
 
 void Viewer::draw() {
-  const bool moves = workspace_.playback.playing() || dragging_;
+  if (moves()) workspace_.resolution.move();
   drawn_for_ = picture_area();
   workspace_.draw(drawn_for_);
+  moved_s_ = now_s();
   note_whole();
   interface_.recording.note(workspace_);
-  if (moves && workspace_.resolution.learn(workspace_.frame_ms())) workspace_.change();
+  if (moves() && workspace_.resolution.learn(workspace_.frame_ms())) workspace_.change();
+}
+
+/// A picture is likely to follow soon.
+bool Viewer::moves() const {
+  return workspace_.playback.playing() || held_;
 }
 
 void Viewer::react_to(const WindowInput& input) {
   if (!overlay_.takes_keys())
     for (const KeyPress& pressed : input.keys) press(pressed, interface_);
   if (input.wants_to_close) close_window(interface_);
-  const bool held =
-      window_.holds(Button::kLeft) || window_.holds(Button::kMiddle) || window_.holds(Button::kRight);
-  dragging_ = held && !overlay_.takes_pointer();
-  if (!held) starts_drag_ = true;
-  if (!held) drags_divider_ = false;
+  held_ = window_.holds(Button::kLeft) || window_.holds(Button::kMiddle) || window_.holds(Button::kRight);
+  dragging_ = held_ && !overlay_.takes_pointer();
+  if (!held_) starts_drag_ = true;
+  if (!held_) drags_divider_ = false;
   if (!window_.holds(Button::kLeft)) let_go_of_instance(interface_);
   if (!overlay_.takes_pointer()) {
     drag_divider(input);
@@ -221,8 +237,10 @@ void Viewer::tell(const gpu::Preparing& preparing) {
 
 bool Viewer::show(const Notice* notice) {
   const float ratio = window_.pixel_ratio();
-  const glm::ivec2 corner(area_.corner * ratio);
-  const glm::uvec2 size = picture_area();
+  const glm::uvec2 area = picture_area();
+  const auto& sequence = interface_.recording.sequence();  // whose pictures have a shape of their own
+  const glm::uvec2 size = sequence ? fitted(sequence->options().size, area) : area;
+  const glm::ivec2 corner = glm::ivec2(area_.corner * ratio) + glm::ivec2((area - size) / 2u);
   const auto columns = [&](float from, float to) {
     const int32_t first = int32_t(std::lround(from * float(size.x))),
                   last = int32_t(std::lround(to * float(size.x)));

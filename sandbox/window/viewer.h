@@ -37,6 +37,7 @@ class Viewer {
   void react_to(const WindowInput::Click& click);
   void drag_effect(const WindowInput& input);
   void draw();
+  bool moves() const;
   void note_whole();
   void note_overlay();
   bool show(const Notice* notice = nullptr);
@@ -53,10 +54,12 @@ class Viewer {
   Area area_{};  // of the picture
   glm::uvec2 drawn_for_{0};
   bool drags_divider_ = false, dragging_ = false;
+  bool held_ = false;                 // a button, over the picture or over a panel
   bool starts_drag_ = true;           // nothing was dragged since the left button went down
   std::optional<glm::vec2> clicked_;  // and it may yet be a double click
   double clicked_s_ = 0;
   double last_s_ = 0, told_s_ = 0;
+  double moved_s_ = 0;               // that the last picture was there
   double overlay_ms_ = 0;            // of the frame that is being shown
   std::vector<double> overlays_ms_;  // of the frames of this second
   double overlays_since_s_ = 0;

@@ -1,6 +1,6 @@
 // Which share of the window's resolution the picture is drawn at, so that a chosen rate is held while things
-// move. Cost goes with the number of pixels; a step down is taken at once, a step up only when it would still
-// hold, so that it does not swing.
+// move; what stands still is drawn at all of it. Cost goes with the number of pixels; a step down is taken at
+// once, a step up only when it would still hold, so that it does not swing.
 #ifndef PLUME_WORKSPACE_RESOLUTION_CONTROL_H
 #define PLUME_WORKSPACE_RESOLUTION_CONTROL_H
 
@@ -18,8 +18,8 @@ class ResolutionControl {
   bool adapts = true;
   double frames_per_second = 10;  ///< that it holds
 
-  double scale() const { return kScales[step_]; }
-  /// Also where it stays when it does not adapt.
+  double scale() const { return kScales[adapts && rests_ ? 0 : step_]; }
+  /// While things move, and where it stays when it does not adapt.
   void set_step(size_t step) { step_ = step; }
   size_t step() const { return step_; }
 
@@ -41,6 +41,14 @@ class ResolutionControl {
     return step_ != before;
   }
 
+  /// Nothing has moved for a while: until move(), pictures are whole. Returns whether that changes the scale.
+  bool rest() {
+    if (!adapts || rests_) return false;
+    rests_ = true;
+    return step_ > 0;
+  }
+  void move() { rests_ = false; }
+
   glm::uvec2 picture_size(glm::uvec2 window) const {
     return glm::max(glm::uvec2(glm::dvec2(window) * scale()), glm::uvec2(1));
   }
@@ -51,6 +59,7 @@ class ResolutionControl {
   static double area(size_t step) { return kScales[step] * kScales[step]; }
 
   size_t step_ = 0;
+  bool rests_ = false;
   int quick_ = 0;
 };
 

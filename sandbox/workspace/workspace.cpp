@@ -304,8 +304,10 @@ bool Workspace::advance(double now_s) {
 void Workspace::draw(glm::uvec2 area) {
   const auto start = std::chrono::steady_clock::now();
   take_edits();
-  const glm::uvec2 size = resolution.picture_size(area);
   const CameraKey eye = camera();
+  if (playback.tick() != key_.tick || eye.position != key_.position || eye.target != key_.target)
+    resolution.move();
+  const glm::uvec2 size = resolution.picture_size(area);
   const PictureKey key{.scene = scene_version_,
                        .tick = playback.tick(),
                        .position = eye.position,

@@ -30,6 +30,26 @@ TEST(ResolutionControlTest, GoesUpAgainOnlyWhenThatHoldsToo) {
   EXPECT_EQ(0.75, control.scale()) << "84 ms; the whole would take 150";
 }
 
+TEST(ResolutionControlTest, IsWholeAtRestAndWhereItWasWhenThingsMoveAgain) {
+  ResolutionControl control;
+  EXPECT_FALSE(control.rest()) << "it is whole already";
+  control.move();
+  for (int frame = 0; frame < 3; ++frame) control.learn(frame_ms(control, 900));
+  const size_t step = control.step();
+  ASSERT_GT(step, 0u);
+  EXPECT_TRUE(control.rest());
+  EXPECT_EQ(1.0, control.scale());
+  EXPECT_EQ(glm::uvec2(640, 360), control.picture_size({640, 360}));
+  EXPECT_FALSE(control.rest()) << "it rests already";
+  control.move();
+  EXPECT_EQ(ResolutionControl::kScales[step], control.scale());
+  ASSERT_TRUE(control.rest());
+  control.adapts = false;
+  EXPECT_EQ(ResolutionControl::kScales[step], control.scale()) << "chosen, and not to be changed";
+  control.move();
+  EXPECT_FALSE(control.rest());
+}
+
 TEST(ResolutionControlTest, StopsAtTheCoarsestAndStandsWhenItDoesNotAdapt) {
   ResolutionControl control;
   for (int frame = 0; frame < 20; ++frame) control.learn(1e6);

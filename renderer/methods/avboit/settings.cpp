@@ -21,7 +21,16 @@ constexpr std::string_view kExactNames[] = {"0", "2", "4", "8"};
 constexpr uint32_t kExactLayers[] = {0, 2, 4, 8};
 constexpr std::string_view kSamples[] = {"1", "4"};
 constexpr std::string_view kSamplings[] = {"point", "linear", "quadratic", "cubic", "self_excluded"};
-constexpr std::string_view kColours[] = {"mono", "total_extinction", "skew", "first_event", "rgb"};
+constexpr Mode kColours[] = {
+    {"mono", "Glass darkens and never tints: the mean of RGB. The cheapest."},
+    {"total_extinction", "What is opaque is tinted by all glass in front of it; smoke behind glass is not."},
+    {"skew",
+     "Chromaticity skew: smoke and fire too are tinted, by the glass of all depths, as far as they are "
+     "seen."},
+    {"first_event",
+     "The same, and what tints does not tint its own light: right for one glass, not for several."},
+    {"rgb",
+     "A transmittance for each channel: only what is behind glass is tinted. Coloured things pay for it."}};
 constexpr std::string_view kAccumulations[] = {"11_11_10", "16f", "32f"};
 constexpr std::string_view kZeroDepths[] = {"off", "quads", "fullscreen"};
 
@@ -79,8 +88,10 @@ void Settings::visit(ParameterVisitor& visitor) {
                           "talk takes 2 for linear, 2.5 for quadratic and cubic"});
   visitor.toggle("eight_bits", eight_bits,
                  "biased samplings read transmittance in 8 bits, as the talk stores it");
-  choice(visitor, "colour", colour, kColours,
-         "what coloured glass does to what lies behind it: cheaper modes tint the wrong things");
+  int mode = int(colour);
+  visitor.modes("colour", mode, kColours,
+                "what coloured glass does to what lies behind it: cheaper modes tint the wrong things");
+  colour = Colour(mode);
   visitor.toggle("skew_guard", skew_guard,
                  "skew and first_event: no tint where a coloured event shares its slice with another");
   visitor.toggle("normalise", normalise, "scales the sum so that coverage adds up exactly");

@@ -12,6 +12,8 @@ nlohmann::json statistics(gpu::Device& device, const Resources& resources, const
   const auto overflow = words("overflow");
   nlohmann::json result{{"virtual_slices", warp.virtual_slices},
                         {"virtual_slices_asked", plan.settings.virtual_slices_asked()},
+                        {"virtual_slices_lacking",
+                         std::max(plan.settings.virtual_slices_asked() - shared::kMostVirtualSlices, 0.0)},
                         {"slices_used", warp.used},
                         {"slices_apart_dropped", warp.apart_dropped},
                         {"rays", plan.rays()},
