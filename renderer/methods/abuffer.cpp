@@ -132,8 +132,8 @@ class Abuffer final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "fragments_in_tail",
-         .what = "fragments found no layer free and are averaged into one behind them",
-         .remedy = "raise `layers`"}};
+         .what = "Fragments that found no layer free and are averaged into one behind them",
+         .remedy = "Raise `layers`"}};
     return kShortfalls;
   }
 

@@ -103,8 +103,8 @@ class Aoit final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "merged_fragments",
-         .what = "fragments found no node free and were merged: what is far is too dark",
-         .remedy = "raise `nodes`"}};
+         .what = "Fragments that found no node free and were merged, which makes what is far too dark",
+         .remedy = "Raise `nodes`"}};
     return kShortfalls;
   }
 

@@ -69,10 +69,10 @@ class Coloured final : public Method {
     return weighted().statistics(device, resources);
   }
   std::span<const Shortfall> shortfalls() const override {
-    static constexpr Shortfall kShortfalls[] = {{.statistic = "overflowed_pixels",
-                                                 .what = "pixels have sums too large for their floats: what "
-                                                         "is known there is the coverage, not the colour",
-                                                 .remedy = "set `sums` to float"}};
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "overflowed_pixels",
+         .what = "Pixels whose sums are too large for their floats, so that they have lost their colour",
+         .remedy = "Set `sums` to float"}};
     return kShortfalls;
   }
 

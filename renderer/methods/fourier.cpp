@@ -81,8 +81,8 @@ class Fourier final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "outside_range",
-         .what = "fragments lie outside the range of depths and count as if at its end",
-         .remedy = "widen `near` and `far`, or set `range` to pixel"}};
+         .what = "Fragments outside the range of depths, which count as if at its end",
+         .remedy = "Widen `near` and `far`, or set `range` to pixel"}};
     return kShortfalls;
   }
 

@@ -111,8 +111,8 @@ class KBuffer final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "tail_fragments",
-         .what = "fragments found no node free and mix in a tail, without their order",
-         .remedy = "raise `nodes`"}};
+         .what = "Fragments that found no node free and mix in a tail, without their order",
+         .remedy = "Raise `nodes`"}};
     return kShortfalls;
   }
 

@@ -82,8 +82,8 @@ class LinkedList final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "fragments_in_tail",
-         .what = "fragments found the pool full and are averaged behind the rest, without their order",
-         .remedy = "raise `fragments`"}};
+         .what = "Fragments that found the pool full and are averaged behind the rest, without their order",
+         .remedy = "Raise `fragments`"}};
     return kShortfalls;
   }
 

@@ -105,8 +105,8 @@ struct DepthMarks {
   std::optional<float> overflow_m;  ///< where the first slice begins whose sum overflowed
 };
 
-/// Something that a method got wrong because there was no room or no number for it. Read aloud: the count, then
-/// `what`; then `remedy`, in which names of parameters stand in backticks.
+/// Something that a method got wrong because there was no room or no number for it. People read
+/// "`what`: 12. `remedy`."; names of parameters stand in backticks.
 struct Shortfall {
   std::string_view statistic;  ///< of statistics(), that counts it; 0, or not there: it did not happen
   std::string_view what, remedy;

@@ -102,8 +102,8 @@ class Mlab final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "merged_fragments",
-         .what = "fragments found no layer free and were merged into the farthest",
-         .remedy = "raise `nodes`"}};
+         .what = "Fragments that found no layer free and were merged into the farthest",
+         .remedy = "Raise `nodes`"}};
     return kShortfalls;
   }
 

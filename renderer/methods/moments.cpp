@@ -141,8 +141,8 @@ class Moments final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "unsure_fragments",
-         .what = "fragments saw moments that no distribution has, to rounding, and took the nearest",
-         .remedy = "raise `moment_bias`, or keep fewer `moments`"}};
+         .what = "Fragments that saw moments which no distribution has, by rounding, and took the nearest",
+         .remedy = "Raise `moment_bias`, or keep fewer `moments`"}};
     return kShortfalls;
   }
 

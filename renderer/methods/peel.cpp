@@ -109,11 +109,11 @@ class Peel final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "dropped_fragments",
-         .what = "fragments lie behind the last layer that is peeled and are not drawn",
-         .remedy = "raise `layers`, or 0 to peel all"},
+         .what = "Fragments behind the last layer that is peeled, which are not drawn",
+         .remedy = "Raise `layers`, or 0 to peel all"},
         {.statistic = "missed_fragments",
-         .what = "fragments were counted but not found by any peel, and are not drawn",
-         .remedy = "this is a fault of the driver or of Plume: please report it with the scene"}};
+         .what = "Fragments that were counted but not found by any peel, and are not drawn",
+         .remedy = "This is a fault of the driver or of Plume: please report it with the scene"}};
     return kShortfalls;
   }
 

@@ -142,12 +142,11 @@ class Phenomenological final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "overflowed_pixels",
-         .what = "pixels have sums too large for their floats: what is known there is the coverage, not the "
-                 "colour",
-         .remedy = "set `sums` to float"},
+         .what = "Pixels whose sums are too large for their floats, so that they have lost their colour",
+         .remedy = "Set `sums` to float"},
         {.statistic = "clipped_blur_pixels",
-         .what = "pixels are blurred less than their diffuser asks for",
-         .remedy = "raise `blur_radius`"}};
+         .what = "Pixels that are blurred less than their diffuser asks for",
+         .remedy = "Raise `blur_radius`"}};
     return kShortfalls;
   }
 

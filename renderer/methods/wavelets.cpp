@@ -106,8 +106,8 @@ class Wavelets final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "outside_range",
-         .what = "fragments lie outside the range of depths and count as if at its end",
-         .remedy = "widen `near` and `far`, or set `range` to pixel"}};
+         .what = "Fragments outside the range of depths, which count as if at its end",
+         .remedy = "Widen `near` and `far`, or set `range` to pixel"}};
     return kShortfalls;
   }
 

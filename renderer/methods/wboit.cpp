@@ -87,10 +87,10 @@ class Wboit final : public Method {
     return weighted().statistics(device, resources);
   }
   std::span<const Shortfall> shortfalls() const override {
-    static constexpr Shortfall kShortfalls[] = {{.statistic = "overflowed_pixels",
-                                                 .what = "pixels have sums too large for their floats: what "
-                                                         "is known there is the coverage, not the colour",
-                                                 .remedy = "set `sums` to float, or lower `depth_scale`"}};
+    static constexpr Shortfall kShortfalls[] = {
+        {.statistic = "overflowed_pixels",
+         .what = "Pixels whose sums are too large for their floats, so that they have lost their colour",
+         .remedy = "Set `sums` to float, or lower `depth_scale`"}};
     return kShortfalls;
   }
 

@@ -21,8 +21,8 @@ std::vector<std::string> shortfall_sentences(const Method& method, const nlohman
   for (const Shortfall& shortfall : method.shortfalls()) {
     const double count = statistics.value(std::string(shortfall.statistic), 0.0);
     if (count > 0)
-      sentences.push_back(
-          fmt::format("{} {}: {}", grouped(uint64_t(std::llround(count))), shortfall.what, shortfall.remedy));
+      sentences.push_back(fmt::format("{}: {}. {}.", shortfall.what, grouped(uint64_t(std::llround(count))),
+                                      shortfall.remedy));
   }
   return sentences;
 }

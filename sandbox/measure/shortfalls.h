@@ -6,8 +6,8 @@
 
 namespace plume {
 
-/// "36 120 fragments found no layer free and were merged into the farthest: raise `nodes`". One for each of
-/// the method's shortfalls that its statistics have counted, in the method's order.
+/// "Fragments that found no layer free and were merged into the farthest: 36 120. Raise `nodes`." One for
+/// each of the method's shortfalls that its statistics have counted, in the method's order.
 std::vector<std::string> shortfall_sentences(const Method& method, const nlohmann::json& statistics);
 
 }  // namespace plume

@@ -83,7 +83,7 @@ TEST_F(ShortfallsInWords, AppearWhereThereIsNoRoomAndNotWhereThereIs) {
   };
   EXPECT_TRUE(shortfalls_with("8", 1).empty());
   const std::vector<std::string> two{
-      "4 800 fragments found no layer free and were merged into the farthest: raise `nodes`"};
+      "Fragments that found no layer free and were merged into the farthest: 4 800. Raise `nodes`."};
   EXPECT_EQ(two, shortfalls_with("2", 2)) << "four of six on each of 40 x 30 pixels";
   EXPECT_EQ(two, shortfalls_with("8", 2.1)) << "it is not asked this soon again";
   account.update(workspace, workspace.a, 2.3);

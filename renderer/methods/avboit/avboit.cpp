@@ -63,26 +63,27 @@ class Avboit final : public Method {
   std::span<const Shortfall> shortfalls() const override {
     static constexpr Shortfall kShortfalls[] = {
         {.statistic = "virtual_slices_lacking",
-         .what = "virtual slices fewer than `slice_thickness` asks for: slices are thicker",
-         .remedy = "ask for thicker slices, or a shorter `thickness_range`"},
+         .what =
+             "Virtual slices that `slice_thickness` asks for and there are not, so that slices are thicker",
+         .remedy = "Ask for thicker slices, or a shorter `thickness_range`"},
         {.statistic = "slices_apart_dropped",
-         .what = "set of slices that would keep layers apart found no room",
-         .remedy = "raise `slices`"},
+         .what = "Sets of slices that would keep layers apart and found no room",
+         .remedy = "Raise `slices`"},
         {.statistic = "rays_overflowed",
-         .what = "rays of the volume have a slice too opaque for its bits, and end there",
-         .remedy = "nothing is seen behind such a slice; set `splat` to words32 where that is wrong"},
+         .what = "Rays of the volume that end in a slice too opaque for its bits",
+         .remedy = "Nothing is seen behind it; where that is wrong, set `splat` to words32"},
         {.statistic = "rgb_channels_overflowed",
-         .what = "channels of RGB rays have a slice too opaque for its bits, and end there",
-         .remedy = "set `rgb_splat` to words32"},
+         .what = "Channels of RGB rays that end in a slice too opaque for its bits",
+         .remedy = "Set `rgb_splat` to words32"},
         {.statistic = "rgb_rays_carried",
-         .what = "RGB rays carry from one channel into the next, which tints what lies behind",
-         .remedy = "set `rgb_splat` to words32"},
+         .what = "RGB rays that carry from one channel into the next, which tints what lies behind",
+         .remedy = "Set `rgb_splat` to words32"},
         {.statistic = "pixels_sharing_a_slice",
-         .what = "pixels have coloured events that share a slice and are left untinted",
-         .remedy = "raise `slices`, or set `colour` to rgb"},
+         .what = "Pixels whose coloured events share a slice, which are left untinted",
+         .remedy = "Raise `slices`, or set `colour` to rgb"},
         {.statistic = "layers_merged",
-         .what = "fragments of sharp cards found no exact layer free and were merged behind them",
-         .remedy = "raise `exact_layers`"}};
+         .what = "Fragments of sharp cards that found no exact layer free and were merged behind them",
+         .remedy = "Raise `exact_layers`"}};
     constexpr size_t kOfAdaptation = 2;
     return std::span(kShortfalls).subspan(settings_.adaptive ? 0 : kOfAdaptation);
   }
