@@ -298,18 +298,28 @@ place_crosshair() {
   wait_for "the crosshair to go" is_gone graph
 }
 
+press_in() {   # TOGGLE, of which one is pressed in
+  click "$1"
+  wait_for "$1 to be chosen" is "$1" true
+  drawn
+}
+
 toggle_colours() {
   local modes mode
   choose_scene coloured
-  reveal "parameter colour" Method
-  click "parameter colour"
-  wait_for "the list" is_there "parameter colour: mono"
-  mapfile -t modes < <(names 'parameter colour: ' | sed 's/^parameter colour: //')
-  click "parameter colour: mono"
-  for mode in "${modes[@]:1}" "${modes[0]}" rgb; do
-    [ -z "$short" ] || [ "$mode" = rgb ] || continue
-    choose "parameter colour" "$mode"
+  reveal "parameter skew_guard" Method
+  mapfile -t modes < <(names 'parameter colour ' | sed 's/^parameter colour \(.*\) = .*/\1/')
+  [ "${#modes[@]}" -ge 5 ] || fail "there are ${#modes[@]} chromatic modes"
+  for mode in "${modes[@]}"; do
+    [ -z "$short" ] || [[ $mode = skew || $mode = rgb ]] || continue
+    press_in "parameter colour $mode"
     shot "06_colour_$mode"
+    [ "$mode" = skew ] || continue
+    click "parameter skew_guard"
+    wait_for "no guard" is "parameter skew_guard" false
+    shot "06_colour_skew_unguarded"
+    click "parameter skew_guard"
+    wait_for "the guard" is "parameter skew_guard" true
   done
 }
 

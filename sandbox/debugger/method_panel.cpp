@@ -131,7 +131,7 @@ void give_account(Workspace& workspace, Side& side, const MethodAccount& account
   tooltip("Images and buffers of this method at this size. Those of all others are in the Cost panel.");
   float& height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("height of the account"));
   const float top = ImGui::GetCursorPosY();
-  for (const std::string& sentence : *shortfalls) warning(sentence);
+  for (const std::string& sentence : *shortfalls) warning(sentence, "shortfall");
   if (shortfalls->empty()) note("Nothing was dropped, merged or clamped in this picture.");
   height = std::max(workspace.playback.playing() ? height : 0.0f, ImGui::GetCursorPosY() - top);
   ImGui::SetCursorPosY(top + height);

@@ -88,11 +88,18 @@ void quality(Interface& interface) {
   const std::optional<Targets>& targets =
       workspace.shows(workspace.a) ? workspace.a.targets : workspace.b.targets;
   const glm::uvec2 size = targets ? targets->size : glm::uvec2(0);
-  text(fmt::format("{}x{}, {:.0f} ms a picture ({:.1f} a second) on {}", size.x, size.y, workspace.frame_ms(),
-                   workspace.frame_ms() > 0 ? 1000 / workspace.frame_ms() : 0,
-                   workspace.device().info().name));
-  ImGui::SameLine();
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 6 * ImGui::GetFontSize());
+  const std::string state =
+      fmt::format("{}x{}, {:.0f} ms a picture ({:.1f} a second) on {}", size.x, size.y, workspace.frame_ms(),
+                  workspace.frame_ms() > 0 ? 1000 / workspace.frame_ms() : 0, workspace.device().info().name);
+  const float keys_at = ImGui::GetWindowWidth() - 6 * ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ImGui::PushClipRect(
+      corner, {corner.x + keys_at - ImGui::GetStyle().ItemSpacing.x, corner.y + ImGui::GetWindowHeight()},
+      true);  // large text may need more room than there is
+  text(state);
+  tooltip(state);
+  ImGui::PopClipRect();
+  ImGui::SameLine(keys_at);
   if (ImGui::SmallButton("keys (F1)")) interface.help = !interface.help;
 }
 

@@ -32,13 +32,13 @@ void note(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-void warning(const std::string& words) {
+void warning(const std::string& words, const char* name) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::Indent(0.6f * ImGui::GetFontSize());
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 190, 120, 255));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.c_str());
-  name_widget("warning = " + words);
+  name_widget(fmt::format("{} = {}", name, words));
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::Unindent(0.6f * ImGui::GetFontSize());

@@ -15,7 +15,7 @@ void text(const std::string& text);
 /// Wrapped, and less bright.
 void note(const std::string& text);
 /// Wrapped, with a bar at the side, so that it is told from what is said by the way.
-void warning(const std::string& words);
+void warning(const std::string& words, const char* name = "warning");
 /// A window in the middle that has to be answered, once ImGui::OpenPopup(`title`) was called; where this is
 /// true, ImGui::EndPopup() ends it.
 bool begin_question(const char* title);

@@ -147,7 +147,7 @@ TEST_F(WindowTest, AClickPlacesTheCrosshairAndArrowsMoveIt) {
   for (int i = 0; i < 10; ++i) keys += " Down";
   const std::string user = "DISPLAY=" + display_->environment().at("DISPLAY") +
                            " timeout 20 xdotool search --sync --onlyvisible --name Plume mousemove 600 150 "
-                           "click 1 sleep 1 key" +
+                           "key r click 1 sleep 1 key" +
                            keys + " > /dev/null";
   EXPECT_EQ(std::system(user.c_str()), 0);
   const Outcome outcome = wait(window);
