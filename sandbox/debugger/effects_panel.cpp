@@ -107,7 +107,7 @@ void mark(bool awake) {
 
 std::string cost_text(const InstanceDemand& demand, const std::optional<uint32_t>& local) {
   std::string text = fmt::format("{}: {}", demand.awake ? "awake" : "asleep", demand.why);
-  if (local) text += fmt::format("\nits tick: {}", *local);
+  if (local) text += fmt::format("\nits time: {:.2f} s, tick {}", *local / 60.0, *local);
   text +=
       fmt::format("\n{} ticks simulated, {} saved by sleeping\n{} dispatches\n{:.1f} KiB of particles",
                   demand.ticks_simulated, demand.ticks_saved, demand.dispatches, double(demand.bytes) / 1024);
