@@ -257,6 +257,11 @@ std::vector<gpu::PassTime> Simulation::go_to(uint32_t tick, const Views& views) 
   return frame.finish();
 }
 
+void Simulation::start_over() {
+  forget(instances_);
+  tick_.reset();
+}
+
 std::vector<gpu::PassTime> Simulation::seek(uint32_t tick) {
   for (EmitterState& emitter : instances_.emitters) emitter.reached.reset();
   return go_to(tick);

@@ -40,6 +40,9 @@ class Simulation {
   /// more.
   void adopt(Simulation& old, const std::vector<std::optional<uint32_t>>& was);
 
+  /// Forgets all ticks and what they took: the next go_to() is as that of a simulation just made.
+  void start_over();
+
   uint32_t tick() const { return tick_.value(); }
   /// Cards that record_cards() writes: of the living, the just dead and those not born yet.
   uint32_t cards() const;

@@ -31,9 +31,9 @@ std::string why_asleep(const Instances& instances, uint32_t call, uint32_t tick)
                                           : "out of view";
 }
 
-/// Pauses after a tick. What the scene says of the time to come stays.
-void forget_after(CallState& instance, uint32_t tick) {
-  instance.clock.forget_from(tick + 1);
+/// Pauses from a tick on. What the scene says of the time to come stays.
+void forget_from(CallState& instance, uint32_t tick) {
+  instance.clock.forget_from(tick);
   for (const Freeze& freeze : instance.call.freezes) instance.clock.freeze(freeze);
 }
 
@@ -44,7 +44,7 @@ void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t ti
   for (uint32_t i = 0; i < instances.calls.size(); ++i) {
     CallState& instance = instances.calls[i];
     if (instance.call.effect->off_screen != OffScreen::kPause) continue;
-    if (before && *before > tick) forget_after(instance, tick);
+    if (before && *before > tick) forget_from(instance, tick + 1);
     const uint32_t first = std::max(before.value_or(0), instance.call.tick) + 1;
     if (first > tick) continue;
     const auto unless_seen = [&](uint32_t from, uint32_t end, const Views& by) {
@@ -59,6 +59,14 @@ void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t ti
     unless_seen(still, tick, script.views(still));
     unless_seen(tick, tick + 1, views);
   }
+}
+
+void forget(Instances& instances) {
+  for (CallState& instance : instances.calls) {
+    forget_from(instance, 0);
+    instance.demand.dispatches = instance.demand.ticks_simulated = instance.demand.ticks_saved = 0;
+  }
+  for (EmitterState& emitter : instances.emitters) emitter.reached.reset();
 }
 
 bool decide(Instances& instances, uint32_t tick, const Views& views) {

@@ -26,6 +26,8 @@ struct Script {
 /// came later.
 void pass_time(Instances& instances, std::optional<uint32_t> before, uint32_t tick, const Views& views,
                const Script& script);
+/// As if no tick had been: no particles are there, nothing has paused, nothing is counted.
+void forget(Instances& instances);
 /// Notes what is wanted of each emitter at a tick. Returns whether any fell asleep or woke.
 bool decide(Instances& instances, uint32_t tick, const Views& views);
 /// Adds to each instance's demand what the tick took, and says why. `jumped`: it does not follow the one

@@ -33,6 +33,8 @@ class Stage {
 
   /// Simulates to `tick` and looks from `camera` (nothing: the scene's own).
   std::vector<gpu::PassTime> go_to(uint32_t tick, glm::uvec2 size, std::optional<CameraKey> camera = {});
+  /// Forgets all ticks and what they took: the next go_to() is as that of a stage just made.
+  void start_over() { simulation_->start_over(); }
   /// Passes that come before the method's: cards from particles, the opaque image.
   Prelude prelude() const;
   const Transparents& transparents() const { return transparents_; }
