@@ -90,6 +90,15 @@ json list_scenes(const PresetLibrary& library) {
   return list;
 }
 
+std::string description_of(const Replay& replay) {
+  if (!replay.shots.empty()) return fmt::format("{} pictures", replay.shots.size());
+  if (replay.sweeps.empty())
+    return fmt::format("{} on {} ticks of {}", replay.methods.size(), replay.ticks.size(), replay.scene);
+  double jobs = 0;
+  for (const Sweep& sweep : replay.sweeps) jobs += jobs_of(sweep);
+  return fmt::format("sweep of {} jobs", jobs);
+}
+
 json list_replays(const PresetLibrary& library) {
   json list = json::array();
   for (const std::string& id : library.ids(PresetKind::kReplay)) {
@@ -97,16 +106,13 @@ json list_replays(const PresetLibrary& library) {
     json methods = json::array();
     for (const MethodRun& run : replay.methods)
       methods.push_back({{"id", run.id}, {"settings", run.settings}});
-    list.push_back(
-        {{"id", id},
-         {"title", replay.name},
-         {"description", replay.shots.empty() ? fmt::format("{} on {} ticks of {}", replay.methods.size(),
-                                                            replay.ticks.size(), replay.scene)
-                                              : fmt::format("{} pictures", replay.shots.size())},
-         {"scene", replay.scene},
-         {"ticks", replay.ticks},
-         {"size", {replay.size.x, replay.size.y}},
-         {"methods", methods}});
+    list.push_back({{"id", id},
+                    {"title", replay.name},
+                    {"description", description_of(replay)},
+                    {"scene", replay.scene},
+                    {"ticks", replay.ticks},
+                    {"size", {replay.size.x, replay.size.y}},
+                    {"methods", methods}});
   }
   return list;
 }

@@ -11,7 +11,8 @@ struct ReplayFlags : DrawFlags {
 int run_replay(const ReplayFlags& flags) {
   const PresetLibrary library(preset_root());
   std::vector<Replay> replays;
-  for (const std::string& script : flags.scripts) replays.push_back(library.replay(script));
+  for (const std::string& script : flags.scripts)
+    for (Replay& replay : expand(library.replay(script))) replays.push_back(std::move(replay));
   return measure_and_report(std::move(replays), library, flags);
 }
 

@@ -18,7 +18,7 @@ PresetKind kind_by_content(std::string_view text, const std::string& file) {
     read_document(text, file, [&](TableReader& top) {
       if (top.has("emitter"))
         kind = PresetKind::kEffect;
-      else if (top.has("scene"))
+      else if (top.has("scene") || top.has("sweep"))
         kind = PresetKind::kReplay;
     });
   } catch (const FileErrors&) {

@@ -26,6 +26,8 @@ struct Limits {
 };
 
 constexpr Limits kTick{0, kMaxTick, "ticks"};
+/// Of each side of a picture.
+constexpr Limits kPixels{1, 16'384, "pixels"};
 /// Of what artists order by hand.
 constexpr Limits kDrawOrder{-1000, 1000};
 constexpr Limits kCameraOffset{-100, 100, "m"};

@@ -11,37 +11,16 @@
 #include "sandbox/measure/inspector.h"
 #include "sandbox/presets/library.h"
 #include "sandbox/presets/read_scene.h"
+#include "sandbox/presets/read_sweep.h"
+#include "sandbox/presets/read_ticks.h"
 #include "sandbox/presets/table_reader.h"
 
 namespace plume {
 namespace {
 
-constexpr size_t kMaxMethods = 1'000, kMaxTicks = 1'000'000, kMaxShots = 100'000;
-constexpr Limits kPixels{1, 16'384, "pixels"};
+constexpr size_t kMaxMethods = 1'000, kMaxShots = 100'000;
 constexpr uint32_t kMaxSlices = 65'536;             // of any view
 constexpr Limits kShown{-3.4e38, 3.4e38, "units"};  // what a view can show: any number
-
-void read_ticks(TableReader& top, std::vector<uint32_t>& ticks) {
-  if (!top.is_table("ticks")) {
-    top.ascending("ticks", ticks, kTick, 1);
-    if (!top.has("ticks"))
-      top.report("ticks", "missing key `ticks`, expected a list of ticks or { first, last, step }");
-    return;
-  }
-  top.table("ticks", [&](TableReader& table) {
-    uint32_t first = 0, last = 0, step = 1;
-    bool read = table.integer("first", first, kTick, Need::kRequired);
-    read &= table.integer("last", last, kTick, Need::kRequired);
-    table.integer("step", step, {1, kTick.max, kTick.unit});
-    if (read && last < first)
-      table.report("last", fmt::format("`last` is {}, expected at least `first`, {}", last, first));
-    else if (const uint32_t count = (last - first) / step + 1; read && count > kMaxTicks)
-      table.report("last",
-                   fmt::format("{} ticks are played, expected at most {}: raise `step`", count, kMaxTicks));
-    else if (read)
-      for (uint32_t tick = first; tick <= last; tick += step) ticks.push_back(tick);
-  });
-}
 
 MethodRun read_method(TableReader& table) {
   MethodRun run;
@@ -133,22 +112,24 @@ Replay read_replay_text(std::string_view text, const std::string& file) {
   Replay replay;
   replay.id = preset_id(file);
   read_document(text, file, [&](TableReader& top) {
+    const Need alone = top.has("sweep") ? Need::kOptional : Need::kRequired;  // a sweep has its own
     top.text("name", replay.name, Need::kRequired);
-    top.text("scene", replay.scene, Need::kRequired);
+    top.text("scene", replay.scene, alone);
     const toml::source_position at = top.position("scene");
     replay.scene_at = {file, at.line, at.column};
     uint32_t seed = 0;
     if (top.integer("seed", seed, {0, UINT32_MAX})) replay.seed = seed;
     top.size("size", replay.size, kPixels);
     const bool recording = top.has("shot");
-    if (!recording || top.has("ticks")) read_ticks(top, replay.ticks);
+    if (!recording || top.has("ticks")) read_ticks(top, replay.ticks, alone);
     top.integer("frames", replay.frames, {1, 100'000});
     top.integer("warmup", replay.warmup, {0, 100'000});
     replay.camera = read_camera(top, false);
     top.tables(
         "method", kMaxMethods, [&](TableReader& table) { replay.methods.push_back(read_method(table)); },
-        Need::kRequired);
+        alone);
     if (recording) read_shots(top, replay);
+    if (top.has("sweep")) read_sweeps(top, replay);
     top.table("capture", [&](TableReader& table) { read_capture(table, replay.ticks, replay.capture); });
   });
   return replay;
@@ -171,7 +152,9 @@ std::vector<Diagnostic> check_references(const Replay& replay, const PresetLibra
       found.push_back({at.file, at.line, at.column, error.what()});
     }
   };
-  look_up(replay.scene, replay.scene_at);
+  if (!replay.scene.empty()) look_up(replay.scene, replay.scene_at);
+  for (const Sweep& sweep : replay.sweeps)
+    for (const std::string& scene : sweep.scenes) look_up(scene, sweep.scenes_at);
   for (const Shot& shot : replay.shots)
     if (!shot.scene.empty()) look_up(shot.scene, shot.scene_at);
   return found;

@@ -1,6 +1,6 @@
 // Reads presets/replays/*.toml. The keys are the members of Replay; a [[method]] takes `id`, and its other
 // keys are settings. A [[shot]] says which [[method]] by its place, the first is 1; its `view` is shown in
-// the place of the picture.
+// the place of the picture. [[sweep]]: read_sweep.h.
 #ifndef PLUME_PRESETS_READ_REPLAY_H
 #define PLUME_PRESETS_READ_REPLAY_H
 

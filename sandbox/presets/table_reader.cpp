@@ -333,6 +333,28 @@ bool TableReader::size(std::string_view key, glm::uvec2& value, Limits limits) {
   return read;
 }
 
+bool TableReader::sizes(std::string_view key, std::vector<glm::uvec2>& value, size_t most, Limits limits) {
+  const std::string expected = fmt::format("[width, height], or a list of 1 to {} of them", most);
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const toml::array* array = node->as_array();
+  if (!array || array->empty() || array->size() > most) return wrong(key, *node, expected), false;
+  std::vector<glm::uvec2> list;
+  const auto take = [&](const toml::node& one) {
+    std::array<double, 2> v{};
+    const bool read = read_numbers(key, one, limits, true, v);
+    if (read) list.emplace_back(v[0], v[1]);
+    return read;
+  };
+  bool read = true;
+  if (!array->front().is_array())
+    read = take(*node);
+  else
+    for (const toml::node& item : *array) read &= take(item);
+  if (read) value = std::move(list);
+  return read;
+}
+
 bool TableReader::read_range(std::string_view key, Limits limits, bool whole, Need need, double& min,
                              double& max) {
   const std::string expected = number_text(limits, whole) + ", or [min, max]";
@@ -604,18 +626,28 @@ void TableReader::tables(std::string_view key, size_t at_most, const Read& read,
   }
 }
 
-std::vector<Setting> TableReader::settings() {
+std::vector<Setting> TableReader::settings(Values values) {
   std::vector<Setting> settings;
+  const auto take = [&](std::string_view key, const toml::node& node, const char* expected) {
+    const bool finite = !node.is_floating_point() || std::isfinite(node.as_floating_point()->get());
+    if (!finite || !(node.is_number() || node.is_boolean() || node.is_string()))
+      return wrong(printable(key), node, expected);
+    std::string text = node.is_string() ? node.as_string()->get() : shown_value(node);
+    settings.push_back({std::string(key), std::move(text), start_of(node)});
+  };
+  constexpr const char* kOne = "a finite number, true or false, or a text";
   for (auto&& [key, node] : table_) {
     if (std::ranges::find(known_, key.str()) != known_.end()) continue;
     known_.emplace_back(key.str());
-    const bool finite = !node.is_floating_point() || std::isfinite(node.as_floating_point()->get());
-    if (!finite || !(node.is_number() || node.is_boolean() || node.is_string())) {
-      wrong(printable(key.str()), node, "a finite number, true or false, or a text");
-      continue;
-    }
-    std::string text = node.is_string() ? node.as_string()->get() : shown_value(node);
-    settings.push_back({std::string(key.str()), std::move(text), start_of(node)});
+    const toml::array* list = values == Values::kSeveral ? node.as_array() : nullptr;
+    if (!list)
+      take(key.str(), node,
+           values == Values::kSeveral ? "a finite number, true or false, a text, or a list of at least 1"
+                                      : kOne);
+    else if (list->empty())
+      wrong(printable(key.str()), node, "a list of at least 1 value");
+    else
+      for (const toml::node& item : *list) take(key.str(), item, kOne);
   }
   return settings;
 }

@@ -74,6 +74,8 @@ class TableReader {
   bool vector(std::string_view key, glm::vec2& value, Limits limits, Need need = Need::kOptional);
   bool vector(std::string_view key, glm::vec3& value, Limits limits, Need need = Need::kOptional);
   bool size(std::string_view key, glm::uvec2& value, Limits limits);
+  /// One [width, height] or a list of them, at least one and at most `most`. No editor shows it.
+  bool sizes(std::string_view key, std::vector<glm::uvec2>& value, size_t most, Limits limits);
   bool range(std::string_view key, Range<float>& value, Limits limits, Need need = Need::kOptional);
   bool range(std::string_view key, Range<uint32_t>& value, Limits limits, Need need = Need::kOptional);
   /// A number or [[at, value], …], where a key may go on with its slope, or those before and after it.
@@ -94,8 +96,10 @@ class TableReader {
   bool table(std::string_view key, const Read& read, Need need = Need::kOptional);
   /// [[key]] tables; a single [key] counts as one. Calls `read` for each, in order.
   void tables(std::string_view key, size_t at_most, const Read& read, Need need = Need::kOptional);
-  /// Every key not asked for so far; each must be a number, a bool or a string.
-  std::vector<Setting> settings();
+  /// Every key not asked for so far; each must be a number, a bool or a string, or of `several` a list of
+  /// them, which gives a setting each.
+  enum class Values { kOne, kSeveral };
+  std::vector<Setting> settings(Values values = Values::kOne);
 
   /// Notes that a text is one of `names`, and what it names (see Field::names).
   void offer(std::string_view key, std::vector<std::string> names, std::string_view what);

@@ -1,5 +1,5 @@
 // What a replay script is: one scene, played at chosen ticks with chosen methods, measured and captured
-// without a display. Or a recording: pictures one after the other, each as somebody saw it.
+// without a display. Or a recording: pictures one after the other, each as somebody saw it. Or sweeps.
 #ifndef PLUME_SCENE_REPLAY_H
 #define PLUME_SCENE_REPLAY_H
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sandbox/scene/scene.h"
+#include "sandbox/scene/sweep.h"
 #include "sandbox/scene/view_choice.h"
 
 namespace plume {
@@ -46,12 +47,13 @@ struct Replay {
   FilePosition scene_at;
   std::optional<uint32_t> seed;  ///< instead of the scene's
   glm::uvec2 size{640, 360};
-  std::vector<uint32_t> ticks;     ///< ascending strictly, at least one where there are no shots
+  std::vector<uint32_t> ticks;     ///< ascending strictly; without shots and empty: the scene's default
   uint32_t frames = 3;             ///< timed repetitions of each tick and method
   uint32_t warmup = 1;             ///< repetitions before them that are dropped
   std::vector<CameraKey> camera;   ///< empty: the scene's
   std::vector<MethodRun> methods;  ///< at least one
   std::vector<Shot> shots;         ///< instead of `ticks` with each of `methods`
+  std::vector<Sweep> sweeps;       ///< instead of scene, seed, ticks and methods
   Capture capture;
   std::string presets;  ///< folder of scenes and effects that come before the library's; "": none
 };

@@ -1,0 +1,12 @@
+// Reads the ticks that a replay or a sweep plays: a list, or { first, last, step }.
+#ifndef PLUME_PRESETS_READ_TICKS_H
+#define PLUME_PRESETS_READ_TICKS_H
+
+#include "sandbox/presets/table_reader.h"
+
+namespace plume {
+
+void read_ticks(TableReader& table, std::vector<uint32_t>& ticks, Need need);
+
+}  // namespace plume
+#endif
