@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.get_formatter()->column_width(28);
   Run run;
-  for (auto* add : {add_open, add_compare, add_replay, add_probe, add_inspect, add_diff, add_check, add_list})
+  for (auto* add :
+       {add_open, add_compare, add_replay, add_probe, add_inspect, add_diff, add_check, add_list, add_merge})
     add(program, run);
   try {
     auto arguments = with_open(program, {argv + 1, argv + argc});

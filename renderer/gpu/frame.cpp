@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 #include "renderer/gpu/errors.h"
@@ -224,6 +225,7 @@ std::vector<PassTime> Frame::finish() {
          passes_) {  // injected by tests, where a real driver would report it
       if (fault == "device_lost@" + name) throw DeviceFailure("the device was lost (injected)");
       if (fault == "out_of_memory@" + name) throw DeviceFailure("out of device memory (injected)");
+      if (fault == "crash@" + name) std::abort();
     }
     submit();
   } catch (const DeviceFailure& failure) {

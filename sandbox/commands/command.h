@@ -35,10 +35,11 @@ struct DrawFlags {
   std::optional<glm::uvec2> size;
   std::optional<uint32_t> seed;
   Shard shard;
-  std::vector<std::string> set;
-  bool resume = false, validate = false, json = false;
+  std::vector<std::string> set, only;
+  bool list = false, isolate = false, as_job = false, resume = false, validate = false, json = false;
   uint64_t memory_limit_mib = 0;
   std::string out = "out";
+  const CLI::App* command = nullptr;  ///< whose flags these are
 };
 /// "640x360". Throws UsageError.
 glm::uvec2 parse_size(const std::string& text);
@@ -75,6 +76,9 @@ void warn(const std::string& text);
 /// Prints what the validation layers said, and gives the exit code of it.
 int report_validation(const gpu::Device& device);
 
+/// Writes report.html into the folder that has the pictures; prints the table, or JSON.
+void print_results(const Results& results, const std::filesystem::path& folder, bool as_json);
+
 /// Measures, writes the report, prints the table or JSON; the common end of `compare` and `replay`.
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags);
 
@@ -88,6 +92,7 @@ void add_inspect(CLI::App& program, Run& run);
 void add_diff(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_list(CLI::App& program, Run& run);
+void add_merge(CLI::App& program, Run& run);
 
 /// The arguments with the command `open` where it was left out: with none at all, and before the name of a
 /// scene.

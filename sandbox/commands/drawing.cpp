@@ -1,49 +1,22 @@
 // The flags of drawing commands and their common end.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
-#include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 
 #include "renderer/methods/methods.h"
+#include "sandbox/commands/asked_command.h"
 #include "sandbox/commands/command.h"
+#include "sandbox/commands/interruption.h"
+#include "sandbox/commands/isolated.h"
+#include "sandbox/commands/job_list.h"
+#include "sandbox/commands/progress.h"
 #include "sandbox/measure/report.h"
 
 namespace plume {
 namespace {
-
-volatile std::sig_atomic_t g_interrupted = 0;
-
-/// "12.5s", "3m 20s".
-std::string duration(double seconds) {
-  if (seconds < 60) return fmt::format("{:.0f}s", seconds);
-  return fmt::format("{:.0f}m {:02.0f}s", std::floor(seconds / 60), std::fmod(seconds, 60));
-}
-
-/// One line that is rewritten on a terminal, plain lines in a pipe.
-class Progress {
- public:
-  ~Progress() {
-    if (line_is_open_) fmt::print(stderr, "\n");
-  }
-  void operator()(size_t done, size_t total, const std::string& what) {
-    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const std::string eta = done < total ? duration(elapsed / double(done) * double(total - done)) + " left"
-                                         : "done in " + duration(elapsed);
-    line_is_open_ = terminal_ && done < total;
-    fmt::print(stderr, "{}[{}/{}] {} · {}{}", terminal_ ? "\r\x1b[K" : "", done, total, what, eta,
-               line_is_open_ ? "" : "\n");
-    std::fflush(stderr);
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool terminal_ = isatty(STDERR_FILENO), line_is_open_ = false;
-};
 
 /// A whole unsigned number, or nothing.
 std::optional<uint32_t> parse_number(std::string_view text) {
@@ -66,7 +39,13 @@ Shard parse_shard(const std::string& text) {
   const auto count = parts ? parse_number(parts->second) : std::nullopt;
   if (!index || !count || *index >= *count)
     throw UsageError(fmt::format("--shard {}: expected I/N with I from 0 to N - 1, such as 0/4", text));
-  return {*index, *count};
+  return {.index = *index, .count = *count};
+}
+
+Shard::By parse_dealing(const std::string& text) {
+  if (text == "turn") return Shard::By::kTurn;
+  if (text == "range") return Shard::By::kRange;
+  throw UsageError(fmt::format("--by {}: expected turn or range", text));
 }
 
 }  // namespace
@@ -100,17 +79,45 @@ void add_picture_flags(CLI::App& command, DrawFlags& flags) {
 }
 
 void add_draw_flags(CLI::App& command, DrawFlags& flags) {
+  flags.command = &command;
   add_picture_flags(command, flags);
-  command.add_option_function<std::string>(
-      "--shard", [&flags](const std::string& text) { flags.shard = parse_shard(text); },
-      "I/N: only the I-th of N parts of the ticks, from 0");
-  command.add_flag("--resume", flags.resume,
-                   "keep the frames in --out and draw what is missing; scenes, scripts and --seed as before");
-  command.add_flag("--json", flags.json, "print results.json on standard output instead of a table");
+  command.add_flag("--list", flags.list, "print the jobs, each with its id, and draw nothing")
+      ->group(kThisRun);
+  command.add_option("--only", flags.only, "JOB of --list: draw this one alone; may be given again")
+      ->allow_extra_args(false)
+      ->group(kThisRun);
+  command
+      .add_option_function<std::string>(
+          "--shard",
+          [&flags](const std::string& text) {
+            const Shard part = parse_shard(text);
+            flags.shard.index = part.index, flags.shard.count = part.count;
+          },
+          "I/N: only the I-th of N parts of the ticks, from 0")
+      ->group(kThisRun);
+  command
+      .add_option_function<std::string>(
+          "--by", [&flags](const std::string& text) { flags.shard.by = parse_dealing(text); },
+          "turn or range: how --shard deals ticks, one after the other or in N parts that follow each other")
+      ->group(kThisRun);
+  command
+      .add_flag(
+          "--isolate", flags.isolate,
+          "draw each job in a process of its own: a lost device or a crash costs that job, which is tried "
+          "once more")
+      ->group(kThisRun);
+  command.add_flag("--as-job", flags.as_job, "print nothing and write no report: what --isolate runs")
+      ->group("");
+  command
+      .add_flag("--resume", flags.resume,
+                "keep the frames in --out and draw what is missing; scenes, scripts and flags as before")
+      ->group(kThisRun);
+  command.add_flag("--json", flags.json, "print results.json on standard output instead of a table")
+      ->group(kThisRun);
   command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
       ->capture_default_str()
-      ->check(
-          [](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; });
+      ->check([](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; })
+      ->group(kThisRun);
 }
 
 std::vector<MethodRun> method_runs(const std::vector<std::string>& names) {
@@ -188,6 +195,25 @@ int report_validation(const gpu::Device& device) {
   return messages.empty() ? kDone : kToleranceExceeded;
 }
 
+void print_results(const Results& results, const std::filesystem::path& folder, bool as_json) {
+  const std::filesystem::path report = folder / "report.html";
+  write_report(report, results);
+  if (as_json)
+    fmt::print("{}\n", to_json(results).dump(2));
+  else
+    fmt::print("{}report: {}\n", to_table(results), report.string());
+}
+
+namespace {
+
+Manifest manifest_of(const Plan& plan, const std::string& command, const DrawFlags& flags) {
+  Manifest manifest(plan, flags.out, command);
+  if (flags.resume) manifest.go_on();
+  return manifest;
+}
+
+}  // namespace
+
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags) {
   for (Replay& replay : replays) {
     if (flags.size) replay.size = *flags.size;
@@ -195,25 +221,33 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
   }
   apply_settings(flags.set, replays);
 
-  std::signal(SIGINT, [](int) {
-    g_interrupted = 1;
-    std::signal(SIGINT, SIG_DFL);  // who asks twice does not want to wait for the frame
-  });
-  GpuSession session(flags);
-  Progress progress;
-  const Results results = measure(session.device, session.pipelines, library, replays,
-                                  {.out = flags.out,
-                                   .resume = flags.resume,
-                                   .shard = flags.shard,
-                                   .progress = std::ref(progress),
-                                   .interrupted = [] { return g_interrupted != 0; }});
-  write_report(std::filesystem::path(flags.out) / "report.html", results);
+  const Plan plan = make_plan(library, std::move(replays), flags.shaders);
+  const Selection selection = select_jobs(plan, flags.shard, flags.only);
+  const std::vector<std::string> arguments = asked_arguments(*flags.command);
+  const std::string command = shell_text(arguments);
+  if (flags.list) {
+    fmt::print("{}",
+               flags.json ? job_list(plan, selection, command).dump(2) + "\n" : job_table(plan, selection));
+    return kDone;
+  }
 
-  if (flags.json)
-    fmt::print("{}\n", to_json(results).dump(2));
-  else
-    fmt::print("{}report: {}\n", to_table(results),
-               (std::filesystem::path(flags.out) / "report.html").string());
+  heed_interruptions();
+  Progress progress;
+  MeasurementOptions options{.selection = selection, .progress = {}, .interrupted = is_interrupted};
+  if (!flags.as_job) options.progress = std::ref(progress);
+  if (flags.isolate) {
+    Manifest manifest = manifest_of(plan, command, flags);
+    const IsolatedRun run = measure_isolated(plan, options, arguments, manifest);
+    print_results(manifest.results(), flags.out, flags.json);
+    if (run.failed > 0)
+      warn(fmt::format("{} of {} jobs failed, the others are kept: --resume tries again", run.failed,
+                       plan.jobs));
+    return run.failed > 0 ? kDeviceFailed : run.messages ? kToleranceExceeded : kDone;
+  }
+  GpuSession session(flags);
+  Manifest manifest = manifest_of(plan, command, flags);
+  measure(session.device, session.pipelines, library, plan, options, manifest);
+  if (!flags.as_job) print_results(manifest.results(), flags.out, flags.json);
   return report_validation(session.device);
 }
 

@@ -6,9 +6,12 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 namespace plume {
@@ -19,10 +22,12 @@ std::string reason(int error) {
 }
 
 // Other threads and other shards may be writing beside us, perhaps the same file.
+constexpr std::string_view kTemporary = ".tmp-";
+
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   static std::atomic<unsigned> count{0};
   std::filesystem::path temporary = path;
-  temporary += ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
+  temporary += std::string(kTemporary) + std::to_string(::getpid()) + "-" + std::to_string(count++);
   return temporary;
 }
 
@@ -73,6 +78,17 @@ void write_and_rename(const std::filesystem::path& path, std::span<const uint8_t
 
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
   write_and_rename(path, bytes, {}, false);
+}
+
+void remove_abandoned(const std::filesystem::path& folder) {
+  std::error_code gone;  // by somebody else
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const size_t at = name.rfind(kTemporary);
+    if (at == name.npos) continue;
+    const int process = std::atoi(name.c_str() + at + kTemporary.size());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) std::filesystem::remove(entry.path(), gone);
+  }
 }
 
 void replace_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {

@@ -30,5 +30,9 @@ void write_file(const std::filesystem::path& path, std::span<const uint8_t> byte
 /// protected against writing stays.
 void replace_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
 
+/// Removes temporary files that a process left in a folder when it was killed; those of processes that live
+/// stay.
+void remove_abandoned(const std::filesystem::path& folder);
+
 }  // namespace plume
 #endif

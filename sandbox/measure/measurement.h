@@ -1,27 +1,30 @@
-// Plays replays on the GPU and measures every method against the exact reference: the engine of `compare` and
-// `replay`.
+// Draws the jobs of a plan on the GPU and measures every method against the exact reference: the engine of
+// `compare` and `replay`. What a job leaves is a function of the job: nothing is carried on from one moment
+// to the next but what a recording's effects remember.
 #ifndef PLUME_MEASURE_MEASUREMENT_H
 #define PLUME_MEASURE_MEASUREMENT_H
 
-#include <filesystem>
 #include <functional>
+#include <stdexcept>
 
 #include "renderer/gpu/pipelines.h"
-#include "sandbox/measure/results.h"
+#include "sandbox/measure/manifest.h"
+#include "sandbox/measure/selection.h"
 #include "sandbox/presets/library.h"
 
 namespace plume {
 
-struct Shard {
-  uint32_t index = 0, count = 1;  ///< zero-based
+/// How far a run is. What is `done` may have been taken over from an earlier run; what is drawn now is what
+/// the time that is left can be told from.
+struct Headway {
+  size_t done = 0, total = 0;
+  size_t drawn = 0, to_draw = 0;  ///< by this run
+  std::string what;
 };
 
 struct MeasurementOptions {
-  std::filesystem::path out;
-  bool resume = false;
-  Shard shard;
-  std::function<void(size_t done, size_t total, const std::string& what)>
-      progress;                       ///< frames finished of all
+  Selection selection;
+  std::function<void(const Headway&)> progress;
   std::function<bool()> interrupted;  ///< asked between frames
 };
 
@@ -30,11 +33,11 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted; --resume goes on from here") {}
 };
 
-/// Runs every tick or shot of every replay, writes images, error maps, results.json and results.csv below
-/// `out`, and returns the results. Throws what reading, drawing and writing throw; results.json then holds
-/// all frames that were finished.
-Results measure(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library,
-                const std::vector<Replay>& replays, const MeasurementOptions& options);
+/// Draws what is selected of a plan and not done yet, writes images and error maps beside the manifest, and
+/// the manifest. Throws what reading, drawing and writing throw; the manifest then holds all that was
+/// finished.
+void measure(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, const Plan& plan,
+             const MeasurementOptions& options, Manifest& manifest);
 
 }  // namespace plume
 #endif

@@ -31,6 +31,15 @@ std::string text_of(const json& value) {
   return value.is_null() ? "" : value.get<std::string>();
 }
 
+/// What is counted from 1, so that 0 is none.
+json none_or_number(uint32_t number) {
+  return number == 0 ? json(nullptr) : json(number);
+}
+
+uint32_t number_or_none(const json& value) {
+  return value.is_null() ? 0 : value.get<uint32_t>();
+}
+
 /// A CSV field whatever is in it (RFC 4180).
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -44,9 +53,11 @@ std::string csv_field(const std::string& text) {
 
 FrameResult frame_from_json(const json& from) {
   FrameResult frame;
+  frame.job = from.at("job");
   frame.scene = from.at("scene");
   frame.tick = from.at("tick");
-  if (const json shot = from.value("shot", json()); !shot.is_null()) frame.shot = shot;
+  frame.shot = number_or_none(from.at("shot"));
+  frame.seed = from.at("seed");
   frame.width = from.at("size").at(0);
   frame.height = from.at("size").at(1);
   frame.method = from.at("method");
@@ -77,10 +88,33 @@ FrameResult frame_from_json(const json& from) {
   frame.statistics = from.at("statistics");
   frame.image = text_of(from.at("image"));
   frame.error_map = text_of(from.at("error_map"));
+  frame.hdr = text_of(from.at("hdr"));
   return frame;
 }
 
+MomentResult moment_from_json(const json& from) {
+  return {.job = from.at("job"),
+          .scene = from.at("scene"),
+          .tick = from.at("tick"),
+          .shot = number_or_none(from.at("shot")),
+          .seed = from.at("seed"),
+          .width = from.at("size").at(0),
+          .height = from.at("size").at(1),
+          .demand = from.at("demand")};
+}
+
+json to_json(const MomentResult& moment) {
+  return {{"job", moment.job},      {"scene", moment.scene},
+          {"tick", moment.tick},    {"shot", none_or_number(moment.shot)},
+          {"seed", moment.seed},    {"size", {moment.width, moment.height}},
+          {"demand", moment.demand}};
+}
+
 }  // namespace
+
+bool is_settled(const FrameResult& frame) {
+  return !frame.status.starts_with("failed");
+}
 
 json changed_settings(const FrameResult& frame) {
   const auto method = make_method(frame.method);
@@ -108,9 +142,11 @@ json to_json(const FrameResult& frame) {
              {"flip", frame.error->flip},
              {"max", number_or_null(frame.error->max)},
              {"max_at", {frame.error->max_x, frame.error->max_y}}};
-  return {{"scene", frame.scene},
+  return {{"job", frame.job},
+          {"scene", frame.scene},
           {"tick", frame.tick},
-          {"shot", frame.shot ? json(frame.shot) : json(nullptr)},
+          {"shot", none_or_number(frame.shot)},
+          {"seed", frame.seed},
           {"size", {frame.width, frame.height}},
           {"method", frame.method},
           {"settings", frame.settings},
@@ -123,20 +159,32 @@ json to_json(const FrameResult& frame) {
           {"error", error},
           {"statistics", frame.statistics},
           {"image", text_or_null(frame.image)},
-          {"error_map", text_or_null(frame.error_map)}};
+          {"error_map", text_or_null(frame.error_map)},
+          {"hdr", text_or_null(frame.hdr)}};
 }
 
 json to_json(const Results& results) {
-  json frames = json::array();
+  json frames = json::array(), moments = json::array();
   for (const FrameResult& frame : results.frames) frames.push_back(to_json(frame));
-  return {{"environment", results.environment}, {"frames", frames}, {"demand", results.demand}};
+  for (const MomentResult& moment : results.moments) moments.push_back(to_json(moment));
+  return {{"command", results.command},
+          {"plan", {{"id", results.plan}, {"jobs", results.order.size()}, {"order", results.order}}},
+          {"environment", results.environment},
+          {"frames", std::move(frames)},
+          {"moments", std::move(moments)}};
 }
 
 Results read_results(const std::filesystem::path& path) try {
   const auto bytes = read_file(path);
   const json from = json::parse(bytes.begin(), bytes.end());
-  Results results{.environment = from.at("environment"), .frames = {}, .demand = from.at("demand")};
+  Results results{.command = from.at("command"),
+                  .plan = from.at("plan").at("id"),
+                  .order = from.at("plan").at("order"),
+                  .environment = from.at("environment"),
+                  .frames = {},
+                  .moments = {}};
   for (const json& frame : from.at("frames")) results.frames.push_back(frame_from_json(frame));
+  for (const json& moment : from.at("moments")) results.moments.push_back(moment_from_json(moment));
   return results;
 } catch (const json::exception& error) {
   throw std::runtime_error(fmt::format("{} is not a results.json: {}", path.string(), error.what()));
@@ -150,17 +198,16 @@ std::string to_csv(const Results& results) {
         pass_names.push_back(pass.name);
 
   std::string csv =
-      "scene,tick,shot,width,height,method,settings,status,gpu_ms,transparency_ms,memory_bytes,left_out,rmse,"
-      "psnr_"
-      "db,ssim,flip,"
-      "max";
+      "job,scene,tick,shot,seed,width,height,method,settings,status,gpu_ms,transparency_ms,memory_bytes,"
+      "left_out,rmse,psnr_db,ssim,flip,max";
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.scene), frame.tick,
-                       frame.shot ? std::to_string(frame.shot) : "", frame.width, frame.height, frame.method,
-                       csv_field(frame.settings.dump()), csv_field(frame.status), frame.gpu_ms,
-                       frame.transparency_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.job), csv_field(frame.scene),
+                    frame.tick, frame.shot ? std::to_string(frame.shot) : "", frame.seed, frame.width,
+                    frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
+                    frame.gpu_ms, frame.transparency_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);

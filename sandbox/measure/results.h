@@ -28,13 +28,15 @@ struct ErrorSummary {
 
 /// One method with one set of settings on one tick of one scene.
 struct FrameResult {
+  std::string job;  ///< its id, one of a kind in the plan (measure/plan.h)
   std::string scene;
   uint32_t tick = 0;
   uint32_t shot = 0;  ///< of a recording, counted from 1; 0: of none
+  uint32_t seed = 0;  ///< that the scene was played with
   uint32_t width = 0, height = 0;
   std::string method;
   nlohmann::json settings = nlohmann::json::object();  ///< every parameter with its value
-  std::string status = "ok";                           ///< or "unavailable: needs X"
+  std::string status = "ok";                           ///< or "unavailable: needs X", "failed: why"
   std::vector<PassSummary> passes;
   double gpu_ms = 0;                  ///< median over the repetitions of the sum of passes
   double transparency_ms = 0;         ///< of that, the method's own passes: what is not the same for all
@@ -42,14 +44,29 @@ struct FrameResult {
   std::vector<std::string> left_out;  ///< outputs the picture wants that the method does not write
   std::optional<ErrorSummary> error;  ///< against the exact reference
   nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
-  std::string image, error_map;                          ///< file names beside results.json; "" = not written
+  std::string image, error_map, hdr;                     ///< file names beside results.json; "" = not written
+};
+
+/// What the jobs that are drawn together have in common.
+struct MomentResult {
+  std::string job;  ///< the first in the plan of those that are drawn then
+  std::string scene;
+  uint32_t tick = 0, shot = 0, seed = 0;
+  uint32_t width = 0, height = 0;
+  nlohmann::json demand;  ///< what every instance costs when one goes there directly, and why
 };
 
 struct Results {
+  std::string command;  ///< that draws all of the plan, for a shell; `--only JOB` behind it draws one job
+  std::string plan;     ///< its id
+  std::vector<std::string> order;  ///< the id of every job of the plan, drawn or not
   nlohmann::json environment;
-  std::vector<FrameResult> frames;
-  nlohmann::json demand;  ///< of the last tick measured
+  std::vector<FrameResult> frames;  ///< in that order, and the moments too
+  std::vector<MomentResult> moments;
 };
+
+/// Whether there is nothing left to draw of the frame: a failed one is drawn again.
+bool is_settled(const FrameResult& frame);
 
 /// Those settings that are not the method's defaults: what tells two rows of one method apart.
 nlohmann::json changed_settings(const FrameResult& frame);

@@ -83,6 +83,9 @@ class ProgramTest : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
   json results(const fs::path& folder = "out") const { return json::parse(read(folder / "results.json")); }
+  json demand_of_first(const fs::path& folder = "out") const {
+    return results(folder).at("moments").at(0).at("demand");
+  }
 
   /// The pictures below `folder` by name, as bytes.
   std::map<std::string, std::string> pictures(const fs::path& folder = "out") const {

@@ -1,6 +1,7 @@
 // Long jobs: split over machines, stopped by hand, gone on with later. The frames are those of one
 // undisturbed run.
 #include "sandbox/measure/image_io.h"
+#include "sandbox/measure/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {
@@ -21,16 +22,7 @@ class ResumeTest : public ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments, environment);
   }
-  /// Frames without their times, which no two runs share.
-  json frames(const fs::path& folder = "out") {
-    json frames = results(folder)["frames"];
-    for (json& frame : frames) {
-      frame.erase("gpu_ms");
-      frame.erase("transparency_ms");
-      for (json& pass : frame["passes"]) pass = pass["name"];
-    }
-    return frames;
-  }
+  json frames(const fs::path& folder = "out") { return without_times(results(folder)["frames"]); }
   /// Sends `signal` to a replay once it has finished a tick.
   Outcome stop_after_a_tick(int signal) {
     const pid_t program = start({"replay", "script.toml"});
@@ -81,27 +73,59 @@ TEST_F(ResumeTest, WithoutResumeAllIsDrawnAgain) {
 
 TEST_F(ResumeTest, GapsAreFilledInTheOrderOfTheJobs) {
   ASSERT_EQ(replay({"--out", "whole"}).exit_code, 0);
-  play("[20, 40]");
-  ASSERT_EQ(replay().exit_code, 0);
+  ASSERT_EQ(replay({"--only", "street_000040_wboit", "--only", "street_000020_sorted"}).exit_code, 0);
   const json kept = results()["frames"];
-  play("{first = 10, last = 40, step = 10}");
+  ASSERT_EQ(kept.size(), 2u);
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
-  ASSERT_EQ(frames(), frames("whole"));
+  EXPECT_EQ(without_times(results()), without_times(results("whole")));
   EXPECT_EQ(pictures(), pictures("whole"));
   const json after = results()["frames"];
   EXPECT_EQ(after[2], kept[0]);  // with its old times
-  EXPECT_EQ(after[7], kept[3]);
+  EXPECT_EQ(after[7], kept[1]);
 }
 
-TEST_F(ResumeTest, AddedMethodStandsInTheOrderOfTheJobs) {
+TEST_F(ResumeTest, WhatOneJobLeavesDependsOnNoOther) {
+  // Methods whose memory grows with what they met, and effects whose ticks could be stepped.
+  play("[40, 41, 400]", "[[method]]\nid = 'linked_list'\n[[method]]\nid = 'avboit'\n");
   ASSERT_EQ(replay({"--out", "whole"}).exit_code, 0);
-  play("{first = 10, last = 40, step = 10}", "[[method]]\nid = 'wboit'\n");
+  for (const json& frame : results("whole")["frames"])
+    ASSERT_EQ(replay({"--resume", "--only", frame["job"]}).exit_code, 0);
+  EXPECT_EQ(without_times(results()), without_times(results("whole")));
+  EXPECT_EQ(pictures(), pictures("whole"));
+}
+
+TEST_F(ResumeTest, AnotherPlanIsNotMixedIn) {
   ASSERT_EQ(replay().exit_code, 0);
-  const json kept = results()["frames"];
-  play("{first = 10, last = 40, step = 10}");
-  ASSERT_EQ(replay({"--resume"}).exit_code, 0);
-  ASSERT_EQ(frames(), frames("whole"));
-  EXPECT_EQ(results()["frames"][3], kept[1]);
+  const json before = results();
+  const auto refuses = [&](const Arguments& more) {
+    Arguments arguments{"--resume"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = replay(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(says(outcome.err, {"out/results.json is of another plan", "8 jobs", "--resume", "--out"}));
+  };
+  refuses({"--size", "32x18"});
+  refuses({"--seed", "7"});
+  refuses({"--set", "wboit.weight=eq9"});
+  play("{first = 10, last = 40, step = 10}", "[[method]]\nid = 'wboit'\n");
+  refuses({});
+  EXPECT_EQ(results(), before);
+}
+
+TEST_F(ResumeTest, EditedPresetMakesAnotherPlan) {
+  fs::create_directories(at("script"));
+  for (const char* kind : {"scenes", "effects", "meshes"})
+    fs::copy(fs::path(PLUME_SOURCE_PRESETS) / kind, at("script") / kind, fs::copy_options::recursive);
+  const auto plan = [&] { return json::parse(replay({"--list", "--json"}).out)["plan"]["id"]; };
+  const json before = plan();
+  EXPECT_EQ(plan(), before);
+  write("script/effects/sparks.toml", read("script/effects/sparks.toml") + "# not in the street\n");
+  EXPECT_EQ(plan(), before);
+  write("script/effects/fireball.toml", read("script/effects/fireball.toml") + "# brighter\n");
+  const json effect = plan();
+  EXPECT_NE(effect, before);
+  write("script/scenes/street.toml", read("script/scenes/street.toml") + "# darker\n");
+  EXPECT_NE(plan(), effect);
 }
 
 TEST_F(ResumeTest, RemovedPictureIsDrawnAgain) {
@@ -125,14 +149,6 @@ TEST_F(ResumeTest, RemovedExrIsDrawnAgain) {
   EXPECT_EQ(frames(), before);
 }
 
-TEST_F(ResumeTest, FramesOfAnotherSizeGoWithTheirOverwrittenPictures) {
-  ASSERT_EQ(replay().exit_code, 0);
-  ASSERT_EQ(replay({"--resume", "--size", "32x18"}).exit_code, 0);
-  const json all = results();
-  ASSERT_EQ(all["frames"].size(), 8u);
-  for (const json& frame : all["frames"]) EXPECT_EQ(frame["size"], json::parse("[32, 18]"));
-}
-
 TEST_F(ResumeTest, InterruptedRunIsCompletedByResume) {
   play("{first = 0, last = 79}", "[capture]\nerror_maps = false\n[[method]]\nid = 'sorted'\n");
   ASSERT_EQ(replay({"--out", "whole"}).exit_code, 0);
@@ -144,7 +160,7 @@ TEST_F(ResumeTest, InterruptedRunIsCompletedByResume) {
   const json partial = results();
   ASSERT_GT(partial["frames"].size(), 0u);
   ASSERT_LT(partial["frames"].size(), 80u);
-  EXPECT_TRUE(partial["demand"].is_object());
+  EXPECT_EQ(partial["moments"].size(), partial["frames"].size());
   EXPECT_EQ(files().size(), partial["frames"].size() + 2);  // a picture each, results.json and results.csv
   for (const json& frame : partial["frames"])
     EXPECT_TRUE(fs::exists(at("out") / frame["image"].get<std::string>()));

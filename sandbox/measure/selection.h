@@ -1,0 +1,30 @@
+// Which jobs of a plan a run draws: those of its shard, and of those the ones that are asked for by id.
+#ifndef PLUME_MEASURE_SELECTION_H
+#define PLUME_MEASURE_SELECTION_H
+
+#include <string>
+#include <vector>
+
+#include "sandbox/measure/plan.h"
+
+namespace plume {
+
+/// A part of a plan for one of several machines. Moments are dealt whole, so that the times of their methods
+/// come from one machine.
+struct Shard {
+  uint32_t index = 0, count = 1;  ///< zero-based
+  enum class By {
+    kTurn,  ///< the first to the first, the second to the second, …
+    kRange  ///< the first part of the moments to the first, …: frames that follow each other stay together
+  } by = By::kTurn;
+};
+
+/// The places of a moment's jobs that are drawn; empty: none.
+using Selection = std::vector<std::vector<size_t>>;
+
+/// For each moment. `only`: ids of jobs, empty for all. Throws std::runtime_error that names the nearest id
+/// when the plan has no such job.
+Selection select_jobs(const Plan& plan, const Shard& shard, const std::vector<std::string>& only);
+
+}  // namespace plume
+#endif
