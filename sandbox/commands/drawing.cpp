@@ -13,7 +13,7 @@
 #include "sandbox/commands/isolated.h"
 #include "sandbox/commands/job_list.h"
 #include "sandbox/commands/progress.h"
-#include "sandbox/measure/report.h"
+#include "sandbox/report/report.h"
 
 namespace plume {
 namespace {

@@ -1,5 +1,6 @@
 #include "sandbox/measure/pass_groups.h"
 
+#include <algorithm>
 #include <map>
 
 namespace plume {
@@ -62,6 +63,12 @@ std::optional<PassGroup> group_of(std::string_view pass) {
   };
   const auto found = kGroups.find(pass);
   return found == kGroups.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool is_common(std::string_view pass) {
+  constexpr std::string_view kCommon[]{"depth",   "debris depth",   "opaque", "debris",
+                                       "distort", "depth_of_field", "display"};
+  return group_of(pass) == PassGroup::kSimulate || std::ranges::find(kCommon, pass) != std::end(kCommon);
 }
 
 }  // namespace plume

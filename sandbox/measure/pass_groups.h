@@ -18,6 +18,9 @@ constexpr std::array<std::string_view, 4> kPassGroupNames{"simulate", "prepass",
 
 /// By the name of the pass; nothing for one that is not known.
 std::optional<PassGroup> group_of(std::string_view pass);
+/// Whether it does the same for every method: opaque things, cards and their light, what is done to the
+/// finished picture. The others are what FrameReport::transparency_ms sums.
+bool is_common(std::string_view pass);
 
 }  // namespace plume
 #endif

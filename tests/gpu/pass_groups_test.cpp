@@ -1,4 +1,5 @@
-// Every pass there is belongs to a group, so that no time is left over in the history of a method.
+// Every pass there is belongs to a group, so that no time is left over in the history of a method, and those
+// that are not the method's own are known by name.
 #include "sandbox/measure/pass_groups.h"
 
 #include "tests/gpu/gpu_test.h"
@@ -20,6 +21,9 @@ TEST_P(PassGroups, HoldEveryPassOfTheMethod) {
   passes.insert(passes.end(), report.passes.begin(), report.passes.end());
   ASSERT_GT(passes.size(), 4u);
   for (const gpu::PassTime& pass : passes) EXPECT_TRUE(group_of(pass.name)) << pass.name;
+  double own_ms = 0;
+  for (const gpu::PassTime& pass : report.passes) own_ms += is_common(pass.name) ? 0 : pass.ms;
+  EXPECT_NEAR(own_ms, report.transparency_ms, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PassGroups, testing::ValuesIn(method_ids()),

@@ -1,0 +1,268 @@
+// Error against time on logarithmic axes, with the front of what is worth its time, ranges of times, and
+// labels where there is room for them.
+
+let scatter = null;
+let plotted = null;  // {front, bounds, measured, place}: Chart.js would call functions in its options
+
+/// Numbers that a logarithmic axis names: 1, 2 and 5 of each decade, or 1 alone where there are many.
+function logTick(value, axis) {
+  const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+  const decades = Math.log10(axis.max / axis.min);
+  const named = decades > 3.2 ? [1] : decades > 0.9 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9];
+  return named.includes(digit) ? figure(value) : "";
+}
+
+/// From and to on a logarithmic axis, with room on both sides; at least a factor of 2 apart.
+function logBounds(values, room) {
+  let low = Math.log10(Math.min(...values)), high = Math.log10(Math.max(...values));
+  if (high - low < 0.3) [low, high] = [(low + high - 0.3) / 2, (low + high + 0.3) / 2];
+  const margin = room * (high - low);
+  return {min: 10 ** (low - margin), max: 10 ** (high + margin)};
+}
+
+/// Where the axes end, and the height of the line for what has no error.
+function scatterBounds(measured) {
+  const errors = measured.map((row) => errorOf(row, view.y)).filter((error) => error > 0);
+  const times = measured.flatMap((row) => {
+    const {value, range} = row.times[view.x];
+    return range ? [value, ...range.filter((end) => end > 0)] : [value];
+  });
+  const x = logBounds(times, 0.1);
+  const hasExact = errors.length < measured.length;
+  if (!errors.length) return {x, y: {min: 1e-6, max: 1e-3}, exact: 2e-6};
+  const y = logBounds(errors, 0.1);
+  if (!hasExact) return {x, y, exact: null};
+  const decades = Math.log10(y.max / y.min);
+  return {x, y: {min: y.min / 10 ** (0.16 * decades), max: y.max}, exact: y.min / 10 ** (0.07 * decades)};
+}
+
+const boxesMeet = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+
+/// Labels beside their points, in the first place that is free; those for which there is none are left to the
+/// pointer. `points` come in the order in which they deserve one.
+function placeLabels(context, points, area, measure) {
+  const taken = points.map(({x, y}) => ({x: x - 7, y: y - 7, w: 14, h: 14}));
+  const placed = [];
+  for (const point of points) {
+    const w = measure(point.text), h = 15;
+    const places = [
+      [point.x + 11, point.y - h / 2], [point.x - 11 - w, point.y - h / 2],
+      [point.x - w / 2, point.y - 10 - h], [point.x - w / 2, point.y + 10],
+      [point.x + 8, point.y - 8 - h], [point.x + 8, point.y + 8],
+      [point.x - 8 - w, point.y - 8 - h], [point.x - 8 - w, point.y + 8],
+    ];
+    const free = places.map(([x, y]) => ({x, y, w, h})).find(
+        (box) => box.x >= area.left && box.x + w <= area.right && box.y >= area.top && box.y + h <= area.bottom &&
+            !taken.some((other) => boxesMeet(box, other)));
+    if (!free) continue;
+    taken.push(free);
+    placed.push({...free, point});
+  }
+  return placed;
+}
+
+const scatterDrawing = {
+  id: "plume",
+  beforeDatasetsDraw(chart) {
+    const {ctx, chartArea: area, scales: {x, y}} = chart;
+    const {front, bounds, measured, place} = plotted;
+    ctx.save();
+    if (bounds.exact) {
+      const at = y.getPixelForValue(bounds.exact), top = y.getPixelForValue(bounds.exact * (bounds.y.min / bounds.exact) ** -0.75);
+      ctx.fillStyle = css("--faint");
+      ctx.fillRect(area.left, top, area.width, area.bottom - top);
+      ctx.strokeStyle = css("--quiet");
+      ctx.setLineDash([2, 4]);
+      ctx.beginPath();
+      ctx.moveTo(area.left, at);
+      ctx.lineTo(area.right, at);
+      ctx.stroke();
+      ctx.setLineDash([]);
+      ctx.fillStyle = css("--quiet");
+      ctx.textAlign = "right";
+      ctx.textBaseline = "middle";
+      ctx.fillText("exact", area.left - 6, at);
+    }
+    if (front.length) {  // stairs: beyond them something is at least as good in both
+      ctx.beginPath();
+      const corners = front.map((row) => place(row)).map((p) => [x.getPixelForValue(p.x), y.getPixelForValue(p.y)]);
+      ctx.moveTo(corners[0][0], area.top);
+      corners.forEach(([px, py], i) => {
+        ctx.lineTo(px, i ? corners[i - 1][1] : area.top);
+        ctx.lineTo(px, py);
+      });
+      ctx.lineTo(area.right, corners.at(-1)[1]);
+      ctx.strokeStyle = css("--front");
+      ctx.lineWidth = 1.6;
+      ctx.globalAlpha = 0.8;
+      ctx.stroke();
+      ctx.lineTo(area.right, area.top);
+      ctx.closePath();
+      ctx.globalAlpha = 0.05;
+      ctx.fillStyle = css("--front");
+      ctx.fill();
+      ctx.globalAlpha = 1;
+    }
+    for (const row of measured) {
+      const {range} = row.times[view.x];
+      if (!range) continue;
+      const py = y.getPixelForValue(place(row).y);
+      const [from, to] = range.map((end) => x.getPixelForValue(Math.max(end, x.min)));
+      ctx.strokeStyle = symbolOf(row.method).colour;
+      ctx.lineWidth = 1.5;
+      ctx.beginPath();
+      for (const [x0, y0, x1, y1] of [[from, py, to, py], [from, py - 4, from, py + 4], [to, py - 4, to, py + 4]]) {
+        ctx.moveTo(x0, y0);
+        ctx.lineTo(x1, y1);
+      }
+      ctx.stroke();
+    }
+    ctx.restore();
+  },
+  afterDatasetsDraw(chart) {
+    const {ctx, chartArea: area, scales: {x, y}} = chart;
+    const {front, measured, place} = plotted;
+    ctx.save();
+    ctx.font = `12px ${Chart.defaults.font.family}`;
+    ctx.fillStyle = css("--quiet");
+    ctx.textBaseline = "alphabetic";
+    const points = [...front, ...measured.filter((row) => !front.includes(row))].map((row) => {
+      const at = place(row);
+      return {x: x.getPixelForValue(at.x), y: y.getPixelForValue(at.y), text: row.id, row};
+    });
+    const narrow = area.width < 500;
+    const cut = (text) => narrow && text.length > 18 ? text.slice(0, 17) + "…" : text.length > 44 ? text.slice(0, 43) + "…" : text;
+    for (const point of points) point.text = cut(point.text);
+    const placed = placeLabels(ctx, points, area, (text) => ctx.measureText(text).width);
+    for (const label of placed) {
+      const isOnFront = front.includes(label.point.row);
+      ctx.font = `${isOnFront ? "600 " : ""}12px ${Chart.defaults.font.family}`;
+      ctx.lineWidth = 3;
+      ctx.strokeStyle = css("--card");
+      ctx.strokeText(label.point.text, label.x, label.y + 12);
+      ctx.fillStyle = css(isOnFront ? "--ink" : "--quiet");
+      ctx.fillText(label.point.text, label.x, label.y + 12);
+    }
+    document.documentElement.dataset.labels = placed.length;
+    ctx.restore();
+  },
+};
+
+/// Everything that is known of a row, in lines.
+function rowLines(row) {
+  const frame = row.frame;
+  const lines = [];
+  for (const [id, time] of Object.entries(kTimes)) {
+    const {value, range} = row.times[id];
+    lines.push(`${time.name}: ${timeText(value)}${range ? `, surely ${figure(range[0])} to ${figure(range[1])}` : ""}`);
+  }
+  lines.push(Object.entries(kErrors).map(([y, of]) => `${of.name} ${figure(row.errors[y])}`).join("   "));
+  lines.push(`memory: ${bytesText(row.memory ?? frame.memory_bytes)}`);
+  if (frame.left_out.length) lines.push(`without ${listText(frame.left_out)}`);
+  const alike = shownMoment().rows.filter(
+      (other) => other !== row && other.measured && rangesMeet(other.times[view.x], row.times[view.x]));
+  if (alike.length) lines.push(`in time not told apart from ${listText(alike.map((other) => other.id))}`);
+  return lines;
+}
+
+function drawScatter() {
+  const measured = shownMoment().rows.filter((row) => row.measured && row.times[view.x].value > 0);
+  const front = paretoFront(measured, view.x, view.y);
+  const bounds = measured.length ? scatterBounds(measured) : null;
+  const place = (row) => ({x: row.times[view.x].value, y: errorOf(row, view.y) || bounds.exact});
+  scatter?.destroy();
+  scatter = null;
+  $("cost").hidden = !measured.length;
+  document.documentElement.dataset.points = measured.length;
+  document.documentElement.dataset.front = front.map((row) => row.id).join(", ");
+  if (!measured.length) return;
+
+  const datasets = methodOrder.map((method) => {
+    const {colour, shape} = symbolOf(method);
+    const of = measured.filter((row) => row.method === method);
+    return {
+      data: of.map((row) => ({...place(row), row})),
+      pointStyle: shape === "nabla" ? "triangle" : shape,
+      rotation: shape === "nabla" ? 180 : 0,
+      pointRadius: of.map((row) => row.id === view.method ? 9 : 6.5),
+      pointHoverRadius: 9,
+      pointHitRadius: 8,
+      backgroundColor: colour,
+      borderColor: colour,
+      borderWidth: isOpen(shape) ? 2.2 : 1,
+      hoverBorderWidth: 2.5,
+    };
+  }).filter((dataset) => dataset.data.length);
+  const unit = timeUnit() === "×" ? `times that of ${kBaseline} (plain sorted blending), geometric mean` :
+      isMean() ? "ms, geometric mean" : "ms";
+  plotted = {front, bounds, measured, place};
+  scatter = new Chart($("scatter"), {
+    type: "scatter",
+    data: {datasets},
+    plugins: [scatterDrawing],
+    options: {
+      layout: {padding: {right: 8, top: 4}},
+      onClick: (event, hit) => {
+        if (hit.length) change({method: hit[0].element.$context.raw.row.id});
+      },
+      scales: {
+        x: {
+          type: "logarithmic", ...bounds.x,
+          title: {display: true, text: `← faster      GPU time, ${kTimes[view.x].name}: ${unit}`, color: css("--ink")},
+          ticks: {callback: (value) => logTick(value, bounds.x), maxRotation: 0, autoSkipPadding: 10},
+          grid: {color: css("--faint")},
+        },
+        y: {
+          type: "logarithmic", ...bounds.y,
+          title: {display: true, text: `← more accurate      ${kErrors[view.y].text}${isMean() ? ", mean" : ""}`, color: css("--ink")},
+          ticks: {callback: (value) => bounds.exact && value < bounds.exact * 1.3 ? "" : logTick(value, bounds.y)},
+          grid: {color: (at) => bounds.exact && at.tick?.value < bounds.exact * 1.3 ? "transparent" : css("--faint")},
+        },
+      },
+      plugins: {
+        tooltip: {
+          callbacks: {
+            title: (items) => items.map((item) => item.raw.row.id).join(" · "),
+            label: (item) => rowLines(item.raw.row),
+          },
+        },
+      },
+    },
+  });
+  tellFront(measured, front);
+  drawKey(measured);
+}
+
+/// The conclusion in words.
+function tellFront(measured, front) {
+  const error = (row) => errorOf(row, view.y) === 0 ? "exact" : `${kErrors[view.y].name} ${figure(row.errors[view.y])}`;
+  const place = $("front");
+  place.replaceChildren(
+      element("strong", {}, `${front.length} of ${measured.length} worth their time`),
+      `${isMean() ? " over all frames" : " here"}, from the fastest to the most accurate: `);
+  front.forEach((row, i) => {
+    place.append(i ? " → " : "", element("strong", {class: "on_front"}, row.id),
+                 ` (${timeText(row.times[view.x].value)}, ${error(row)})`);
+  });
+  place.append(".");
+  const ranges = measured.some((row) => row.times[view.x].range);
+  $("cost_note").textContent = ranges ?
+      "Bars hold the median time with 95 % certainty; where two bars meet, which one is faster is not known." :
+      "How certain the times are was not measured here: small differences may be chance.";
+  const idle = shownMoment().rows.filter((row) => !row.drawn);
+  $("not_drawn").hidden = !idle.length && !(shownMoment().missing?.length);
+  $("not_drawn").textContent = [
+    ...idle.map((row) => `${row.id}: ${row.frame.status}.`),
+    shownMoment().missing?.length ? `Not in every frame, so not shown here: ${listText(shownMoment().missing)}.` : "",
+  ].join(" ");
+}
+
+function drawKey(measured) {
+  $("key").replaceChildren(...methodOrder.filter((method) => measured.some((row) => row.method === method)).map(
+      (method) => element("li", {title: input.methods[method]?.source}, symbolElement(method), element("span", {}, method,
+          input.methods[method] ? `: ${input.methods[method].title}` : ""))));
+}
+
+drawers.push((changed) => {
+  if (!changed.size || ["x", "y", "moment", "method"].some((name) => changed.has(name))) drawScatter();
+});

@@ -1,0 +1,30 @@
+// The pictures of a report, small enough to be part of one page.
+#ifndef PLUME_REPORT_PICTURES_H
+#define PLUME_REPORT_PICTURES_H
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plume {
+
+struct PagePicture {
+  std::string file;    ///< name beside the page
+  std::string base64;  ///< of a PNG; empty: left out
+};
+
+struct PagePictures {
+  std::vector<PagePicture> all;
+  int divisor = 1;         ///< of width and height
+  size_t left_out = 0;     ///< for want of room
+  uint64_t bytes() const;  ///< of base64
+};
+
+/// Those of `files` that are in `folder`. Halved, at least to some 160 pixels across, until their base64 has
+/// no more than `most_bytes`; the last ones are left out when that is not enough.
+PagePictures page_pictures(const std::filesystem::path& folder, const std::vector<std::string>& files,
+                           uint64_t most_bytes);
+
+}  // namespace plume
+#endif
