@@ -38,6 +38,7 @@ struct DrawFlags {
   std::vector<std::string> set, only;
   bool list = false, isolate = false, as_job = false, resume = false, validate = false, json = false;
   uint64_t memory_limit_mib = 0;
+  uint64_t report_limit_mib = 64;
   std::string out = "out";
   const CLI::App* command = nullptr;  ///< whose flags these are
 };

@@ -114,6 +114,12 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
       ->group(kThisRun);
   command.add_flag("--json", flags.json, "print results.json on standard output instead of a table")
       ->group(kThisRun);
+  command
+      .add_option("--report-limit", flags.report_limit_mib,
+                  "MiB that report.html may have: pictures in it are made smaller to fit")
+      ->check(CLI::Range(1, 1 << 10))
+      ->capture_default_str()
+      ->group(kThisRun);
   command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
       ->capture_default_str()
       ->check([](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; })
@@ -221,6 +227,7 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
   }
   apply_settings(flags.set, replays);
 
+<<<<<<< HEAD
   const Plan plan = make_plan(library, std::move(replays), flags.shaders);
   const Selection selection = select_jobs(plan, flags.shard, flags.only);
   const std::vector<std::string> arguments = asked_arguments(*flags.command);
@@ -230,6 +237,21 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
                flags.json ? job_list(plan, selection, command).dump(2) + "\n" : job_table(plan, selection));
     return kDone;
   }
+=======
+  std::signal(SIGINT, [](int) {
+    g_interrupted = 1;
+    std::signal(SIGINT, SIG_DFL);  // who asks twice does not want to wait for the frame
+  });
+  GpuSession session(flags);
+  Progress progress;
+  const Results results = measure(session.device, session.pipelines, library, replays,
+                                  {.out = flags.out,
+                                   .resume = flags.resume,
+                                   .shard = flags.shard,
+                                   .progress = std::ref(progress),
+                                   .interrupted = [] { return g_interrupted != 0; }});
+  write_report(std::filesystem::path(flags.out) / "report.html", results, flags.report_limit_mib << 20);
+>>>>>>> 9746f2c (report: Let nothing be loaded from elsewhere; tests: Open the report in headless Chromium)
 
   heed_interruptions();
   Progress progress;

@@ -18,7 +18,7 @@ function demandTable(moment) {
 }
 
 function drawDemand() {
-  const known = (isMean() ? moments : [shownMoment()]).filter((moment) => moment?.demand?.instances);
+  const known = (isMean() ? moments : [shownMoment()]).filter((moment) => moment?.demand?.instances?.length);
   $("demand_section").hidden = !known.length;
   document.documentElement.dataset.awake = known.reduce(
       (sum, moment) => sum + moment.demand.instances.filter((instance) => instance.awake).length, 0);

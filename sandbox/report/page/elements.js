@@ -27,6 +27,12 @@ function figure(value) {
   return value.toFixed(Math.min(6, 2 - Math.floor(Math.log10(size))));
 }
 
+/// The same on an axis, where nothing is measured: 0.1 and not 0.100.
+function tickFigure(value) {
+  const text = figure(value);
+  return /^-?\d+\.\d+$/.test(text) ? String(Number(text)) : text;
+}
+
 function bytesText(bytes) {
   if (bytes < 1024) return `${bytes} B`;
   if (bytes < 1048576) return `${figure(bytes / 1024)} KiB`;

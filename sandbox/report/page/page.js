@@ -1,12 +1,13 @@
 // Puts the page together once, and draws it anew when the address or the colours of the system change.
 
 function drawHead() {
-  const environment = {...input.results.environment};
+  const {device, driver, api, threads, ...others} = input.results.environment;
+  const environment = {device, driver, Vulkan: api, threads, ...others};
   const sizes = [...new Set(frames.map((frame) => frame.size.join("×")))];
   if (sizes.length) environment["picture"] = listText(sizes);
   const samples = [...new Set(frames.flatMap((frame) => frame.passes.slice(0, 1).map((pass) => pass.samples)))];
   if (samples.length) environment["timed"] = `${samples.sort((a, b) => a - b).join(" or ")} times each`;
-  for (const [name, value] of Object.entries(environment))
+  for (const [name, value] of Object.entries(environment).filter(([, known]) => known !== undefined))
     $("environment").append(element("div", {}, element("dt", {}, name), element("dd", {}, typeof value === "object" ? JSON.stringify(value) : String(value))));
   const notes = (input.results.notes ?? []).map((note) => note.text ?? String(note));
   $("notes").hidden = !notes.length;

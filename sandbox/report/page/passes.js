@@ -53,13 +53,13 @@ function drawPasses() {
   $("passes_section").hidden = !bars.length;
   document.documentElement.dataset.bars = bars.length;
   if (!bars.length) return;
-  const kinds = Object.keys(kKinds).filter((kind) => !(own && kind === "common"));
+  const names = [...new Set(bars.flatMap((bar) => [...bar.times.keys()]))];
+  const kinds = Object.keys(kKinds).filter((kind) => !(own && kind === "common") && names.some((name) => kindOf(name) === kind));
   $("passes_note").textContent = `Each bar is one ${isMean() ? "method, in ms, mean over all frames" : "frame, in ms"}, cut into its passes; shorter is faster.` +
       (own ? " What is the same for every method is left out." : " Grey is the same for every method, so the coloured rest is what a method costs.");
   $("passes_key").replaceChildren(...kinds.map((kind) => element("li", {}, element("span", {
     class: "swatch", style: `background:${kKinds[kind][darkScheme.matches ? "dark" : "light"][0]}`}), kKinds[kind].text)));
 
-  const names = [...new Set(bars.flatMap((bar) => [...bar.times.keys()]))];
   const datasets = kinds.flatMap((kind) => names.filter((name) => kindOf(name) === kind).map((name, i) => ({
     label: name,
     data: bars.map((bar) => bar.times.get(name) ?? 0),

@@ -47,6 +47,8 @@ function drawPictures() {
       `FLIP against the exact reference, on the same scale everywhere: black is no difference, pale yellow another picture. Mean ${figure(shown.errors?.flip)}` +
           (shown.frame.error ? `; largest difference in light, ${figure(shown.frame.error.max ?? Infinity)}, at pixel ${shown.frame.error.max_at.join(", ")}.` : ".") :
       "No error map was written.";
+  const method = input.methods[shown.method];
+  $("method_note").replaceChildren(...(method ? [element("strong", {}, `${shown.method}: ${method.title}.`), ` ${method.source}. Known limits: ${method.limits}.`] : []));
   $("thumbnails").replaceChildren(...pictured.map((row) => element("button", {
     type: "button", "aria-pressed": row === shown, onclick: () => change({method: row.id}),
   }, thumbnail(row), element("span", {}, symbolElement(row.method), ` ${row.id}`))));

@@ -6,10 +6,10 @@ let plotted = null;  // {front, bounds, measured, place}: Chart.js would call fu
 
 /// Numbers that a logarithmic axis names: 1, 2 and 5 of each decade, or 1 alone where there are many.
 function logTick(value, axis) {
-  const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+  const leading = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
   const decades = Math.log10(axis.max / axis.min);
   const named = decades > 3.2 ? [1] : decades > 0.9 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9];
-  return named.includes(digit) ? figure(value) : "";
+  return named.some((digit) => Math.abs(digit - leading) < 1e-6) ? tickFigure(value) : "";
 }
 
 /// From and to on a logarithmic axis, with room on both sides; at least a factor of 2 apart.
@@ -40,16 +40,16 @@ const boxesMeet = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.
 
 /// Labels beside their points, in the first place that is free; those for which there is none are left to the
 /// pointer. `points` come in the order in which they deserve one.
-function placeLabels(context, points, area, measure) {
-  const taken = points.map(({x, y}) => ({x: x - 7, y: y - 7, w: 14, h: 14}));
+function placeLabels(points, area, measure) {
+  const taken = points.flatMap(({x, y, from, to}) => [{x: x - 7, y: y - 7, w: 14, h: 14}, {x: from, y: y - 3, w: to - from, h: 6}]);
   const placed = [];
   for (const point of points) {
-    const w = measure(point.text), h = 15;
+    const w = measure(point), h = 15;
     const places = [
-      [point.x + 11, point.y - h / 2], [point.x - 11 - w, point.y - h / 2],
-      [point.x - w / 2, point.y - 10 - h], [point.x - w / 2, point.y + 10],
-      [point.x + 8, point.y - 8 - h], [point.x + 8, point.y + 8],
-      [point.x - 8 - w, point.y - 8 - h], [point.x - 8 - w, point.y + 8],
+      [Math.max(point.x + 11, point.to + 5), point.y - h / 2], [Math.min(point.x - 11, point.from - 5) - w, point.y - h / 2],
+      [point.x - w / 2, point.y - 8 - h], [point.x - w / 2, point.y + 8],
+      [point.x + 4, point.y - 8 - h], [point.x + 4, point.y + 8],
+      [point.x - 4 - w, point.y - 8 - h], [point.x - 4 - w, point.y + 8],
     ];
     const free = places.map(([x, y]) => ({x, y, w, h})).find(
         (box) => box.x >= area.left && box.x + w <= area.right && box.y >= area.top && box.y + h <= area.bottom &&
@@ -123,30 +123,42 @@ const scatterDrawing = {
     const {ctx, chartArea: area, scales: {x, y}} = chart;
     const {front, measured, place} = plotted;
     ctx.save();
-    ctx.font = `12px ${Chart.defaults.font.family}`;
-    ctx.fillStyle = css("--quiet");
     ctx.textBaseline = "alphabetic";
     const points = [...front, ...measured.filter((row) => !front.includes(row))].map((row) => {
       const at = place(row);
-      return {x: x.getPixelForValue(at.x), y: y.getPixelForValue(at.y), text: row.id, row};
+      const [from, to] = (row.times[view.x].range ?? [at.x, at.x]).map((end) => x.getPixelForValue(Math.max(end, x.min)));
+      return {x: x.getPixelForValue(at.x), y: y.getPixelForValue(at.y), from, to, text: row.id, row};
     });
     const narrow = area.width < 500;
     const cut = (text) => narrow && text.length > 18 ? text.slice(0, 17) + "…" : text.length > 44 ? text.slice(0, 43) + "…" : text;
     for (const point of points) point.text = cut(point.text);
-    const placed = placeLabels(ctx, points, area, (text) => ctx.measureText(text).width);
+    const font = (row) => `${front.includes(row) ? "bold " : ""}12px ${Chart.defaults.font.family}`;
+    const placed = placeLabels(points, area, (point) => {
+      ctx.font = font(point.row);
+      return ctx.measureText(point.text).width;
+    });
     for (const label of placed) {
-      const isOnFront = front.includes(label.point.row);
-      ctx.font = `${isOnFront ? "600 " : ""}12px ${Chart.defaults.font.family}`;
+      ctx.font = font(label.point.row);
       ctx.lineWidth = 3;
       ctx.strokeStyle = css("--card");
       ctx.strokeText(label.point.text, label.x, label.y + 12);
-      ctx.fillStyle = css(isOnFront ? "--ink" : "--quiet");
+      ctx.fillStyle = symbolOf(label.point.row.method).colour;
       ctx.fillText(label.point.text, label.x, label.y + 12);
     }
     document.documentElement.dataset.labels = placed.length;
     ctx.restore();
   },
 };
+
+/// Cut at spaces into lines of so many letters.
+function wrapped(text, most) {
+  const lines = [""];
+  for (const word of text.split(" "))
+    if (!lines.at(-1)) lines[lines.length - 1] = word;
+    else if (lines.at(-1).length + word.length < most) lines[lines.length - 1] += ` ${word}`;
+    else lines.push(word);
+  return lines;
+}
 
 /// Everything that is known of a row, in lines.
 function rowLines(row) {
@@ -162,7 +174,8 @@ function rowLines(row) {
   const alike = shownMoment().rows.filter(
       (other) => other !== row && other.measured && rangesMeet(other.times[view.x], row.times[view.x]));
   if (alike.length) lines.push(`in time not told apart from ${listText(alike.map((other) => other.id))}`);
-  return lines;
+  if (input.methods[row.method]) lines.push(`known limits: ${input.methods[row.method].limits}`);
+  return lines.flatMap((line) => wrapped(line, innerWidth < 700 ? 40 : 80));
 }
 
 function drawScatter() {
@@ -193,8 +206,9 @@ function drawScatter() {
       hoverBorderWidth: 2.5,
     };
   }).filter((dataset) => dataset.data.length);
-  const unit = timeUnit() === "×" ? `times that of ${kBaseline} (plain sorted blending), geometric mean` :
-      isMean() ? "ms, geometric mean" : "ms";
+  const narrow = innerWidth < 700;
+  const unit = timeUnit() === "×" ? (narrow ? `× ${kBaseline}` : `times that of ${kBaseline} (plain sorted blending), geometric mean`) :
+      isMean() && !narrow ? "ms, geometric mean" : "ms";
   plotted = {front, bounds, measured, place};
   scatter = new Chart($("scatter"), {
     type: "scatter",
@@ -208,7 +222,7 @@ function drawScatter() {
       scales: {
         x: {
           type: "logarithmic", ...bounds.x,
-          title: {display: true, text: `← faster      GPU time, ${kTimes[view.x].name}: ${unit}`, color: css("--ink")},
+          title: {display: true, text: `← faster      ${narrow ? "" : "GPU time, "}${kTimes[view.x].name}, ${unit}`, color: css("--ink")},
           ticks: {callback: (value) => logTick(value, bounds.x), maxRotation: 0, autoSkipPadding: 10},
           grid: {color: css("--faint")},
         },
@@ -222,7 +236,7 @@ function drawScatter() {
       plugins: {
         tooltip: {
           callbacks: {
-            title: (items) => items.map((item) => item.raw.row.id).join(" · "),
+            title: (items) => [...new Set(items.map(({raw: {row}}) => `${row.id}${input.methods[row.method] ? ` (${input.methods[row.method].title})` : ""}`))],
             label: (item) => rowLines(item.raw.row),
           },
         },
@@ -247,7 +261,7 @@ function tellFront(measured, front) {
   place.append(".");
   const ranges = measured.some((row) => row.times[view.x].range);
   $("cost_note").textContent = ranges ?
-      "Bars hold the median time with 95 % certainty; where two bars meet, which one is faster is not known." :
+      "Each bar holds the true median time with 95 % certainty: of two whose bars meet, nobody knows which is faster." :
       "How certain the times are was not measured here: small differences may be chance.";
   const idle = shownMoment().rows.filter((row) => !row.drawn);
   $("not_drawn").hidden = !idle.length && !(shownMoment().missing?.length);

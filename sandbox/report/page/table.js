@@ -5,19 +5,20 @@ const kColumns = [
   {id: "frame", name: "frame", text: true, of: (row) => row.moment.name, frames: true},
   ...Object.keys(kErrors).map((y) => ({id: y, name: kErrors[y].name, of: (row) => row.errors?.[y], show: (row) => figure(row.errors?.[y])})),
   {id: "psnr", name: "PSNR dB", best: -1, frames: true, of: (row) => row.frame.error && (row.frame.error.psnr_db ?? Infinity),
-    show: (row) => row.frame.error ? (row.frame.error.psnr_db === null ? "∞" : row.frame.error.psnr_db.toFixed(2)) : "–"},
+    show: (row) => row.frame.error ? (row.frame.error.psnr_db === null ? (row.frame.error.rmse === 0 ? "∞" : "–") : row.frame.error.psnr_db.toFixed(2)) : "–"},
   ...Object.keys(kTimes).map((x) => ({id: x === "total" ? "time" : "own", name: kTimes[x].name, unit: true,
     of: (row) => row.drawn ? row.times[x].value : null, show: (row) => timeCell(row, x)})),
   {id: "ratio", name: `× ${kBaseline}`, frames: true, of: ratioOf, show: (row) => figure(ratioOf(row))},
   {id: "memory", name: "memory", of: (row) => row.drawn ? row.memory ?? row.frame.memory_bytes : null,
     show: (row) => row.drawn ? bytesText(row.memory ?? row.frame.memory_bytes) : "–"},
-  {id: "left_out", name: "without", text: true, frames: true, of: (row) => row.drawn ? row.frame.left_out.join(", ") : row.frame.status, wrap: true},
+  {id: "left_out", name: "without", text: true, frames: true, of: (row) => row.frame.left_out.join(", "), wrap: true},
 ];
 
 function methodCell(row) {
   const onFront = row.moment.front?.includes(row);
   return element("span", {class: onFront ? "on_front" : null, title: input.methods[row.method]?.title},
-                 symbolElement(row.method), ` ${row.id}${onFront ? " ★" : ""}`);
+                 symbolElement(row.method), ` ${row.id}${onFront ? " ★" : ""}`,
+                 row.drawn ? null : element("span", {class: "status"}, row.frame.status));
 }
 
 function timeCell(row, x) {
@@ -65,14 +66,14 @@ function tableOf(of, columns, caption) {
               column.unit ? `${column.name}, ${of[0].moment.unit}` : column.name));
   });
   const copies = of.some((row) => row.command);
-  if (copies) heads.push(element("th", {class: "text", scope: "col"}, "again"));
+  if (copies) heads.push(element("th", {class: "text again", scope: "col"}, "command"));
   const body = sortedRows(of).map((row) => element("tr", {
     class: row.id === view.method && row.moment.id === view.moment ? "picked" : null,
     onclick: () => pick(row),
   }, ...columns.map((column) => {
     const shown = (column.show ?? column.of)(row);
     return element("td", {class: [column.text && "text", column.wrap && "wrap"].filter(Boolean).join(" ") || null}, shown ?? "–");
-  }), copies ? element("td", {class: "text"}, element("button", {type: "button", title: row.command, onclick: (event) => {
+  }), copies ? element("td", {class: "text again"}, element("button", {type: "button", title: row.command, onclick: (event) => {
     event.stopPropagation();
     copy(row.command);
   }}, "copy")) : null));
@@ -92,7 +93,7 @@ function drawTable() {
   const moment = shownMoment();
   if (!moment) return;
   const withRatio = (columns) => moment.rows.some((row) => row.id === kBaseline) ? columns : columns.filter((c) => c.id !== "ratio");
-  const leaves = rows.some((row) => row.frame.left_out.length || !row.drawn);
+  const leaves = rows.some((row) => row.frame.left_out.length);
   const columns = withRatio(kColumns).filter((column) => column.id !== "left_out" || leaves);
   const tables = isMean() ?
       [tableOf(moment.rows, columns.filter((column) => !column.frames), timeUnit() === "×" ?

@@ -68,15 +68,16 @@ function drawTransmittance() {
   const points = (probe, values) => probe.depth_m.map((depth, i) => ({x: depth, y: lightOf(values[i])}));
   const dashes = [[], [6, 3], [2, 3], [9, 3, 2, 3]];
   const datasets = [{label: "exact", data: points(first, first.exact), borderColor: css("--ink"), borderWidth: 3, pointRadius: 0, stepped: "middle", order: 1}];
-  const curves = asked.filter(({row, probe}) => row.method !== "reference" && probe.transmittance.length);
+  const known = asked.filter(({row, probe}) => row.method !== "reference" && probe.transmittance.length);
+  const curves = known.length > 8 ? known.filter(({row}) => row.settings === "" || row.id === view.method) : known;
   curves.forEach(({row, probe}, i) => {
     const {colour} = symbolOf(row.method);
     datasets.push({label: row.id, data: points(probe, probe.transmittance), borderColor: colour, borderWidth: 1.8, pointRadius: 0,
-      pointHitRadius: 6, borderDash: dashes[Math.floor(i / 2) % 4], hidden: curves.length > 8 && row.id !== view.method && !row.moment.front?.includes(row)});
+      pointHitRadius: 6, borderDash: dashes[Math.floor(i / 2) % 4]});
     if (probe.zero_depth_m) marks.push({depth: probe.zero_depth_m, text: `${row.id} draws nothing behind`, colour, dash: [3, 3]});
   });
   $("transmittance_note").textContent = `Pixel ${id.replace(",", ", ")} of ${asked[0].row.moment.name}. Click a name to hide or show its curve.` +
-      (datasets.some((dataset) => dataset.hidden) ? " Those that are not on the line of the first chart start hidden." : "");
+      (curves.length < known.length ? " Methods with their defaults are here, and the one whose pictures are shown." : "");
   depthMarksShown = marks;
   transmittance = new Chart($("transmittance"), {
     type: "line",
@@ -88,11 +89,11 @@ function drawTransmittance() {
       scales: {
         x: {type: view.depth === "log" ? "logarithmic" : "linear", min: first.depth_m[0], max: first.depth_m.at(-1),
           title: {display: true, text: "depth from the eye, m", color: css("--ink")},
-          ticks: {callback: (value) => figure(value), maxRotation: 0, autoSkipPadding: 14}, grid: {color: css("--faint")}},
+          ticks: {callback: (value) => tickFigure(value), maxRotation: 0, autoSkipPadding: 14}, grid: {color: css("--faint")}},
         y: {suggestedMin: 0, suggestedMax: 1, title: {display: true, text: "light from behind that comes through", color: css("--ink")}, grid: {color: css("--faint")}},
       },
       plugins: {
-        legend: {display: true, labels: {usePointStyle: true, pointStyle: "line", color: css("--ink")}},
+        legend: {display: true, labels: {sort: (a, b) => (a.text !== "exact") - (b.text !== "exact"), usePointStyle: true, pointStyle: "line", color: css("--ink")}},
         tooltip: {callbacks: {title: (items) => `${figure(items[0].parsed.x)} m`, label: (item) => `${item.dataset.label}: ${figure(item.parsed.y)}`}},
       },
     },
@@ -106,5 +107,5 @@ function makeTransmittance() {
 }
 
 drawers.push((changed) => {
-  if (!changed.size || ["moment", "pixel", "depth"].some((name) => changed.has(name))) drawTransmittance();
+  if (!changed.size || ["moment", "pixel", "depth", "method"].some((name) => changed.has(name))) drawTransmittance();
 });

@@ -1,0 +1,82 @@
+// The pictures of a report: each once, smaller where the page would grow too large.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "sandbox/measure/image_io.h"
+#include "sandbox/report/pictures.h"
+
+namespace plume {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportPictures : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("plume_report_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    for (const char* name : {"a.png", "b.png"}) {
+      DisplayImage noise{640, 64, {}};
+      uint32_t state = uint8_t(*name);
+      for (int i = 0; i < 640 * 64; ++i) {
+        state = state * 1664525u + 1013904223u;
+        noise.pixels.push_back({uint8_t(state >> 24), uint8_t(state >> 16), uint8_t(state >> 8)});
+      }
+      write_png(folder_ / name, noise);
+    }
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  PagePictures taken(uint64_t most_bytes) const {
+    return page_pictures(folder_, {"a.png", "gone.png", "b.png"}, most_bytes);
+  }
+  /// What a browser decodes.
+  DisplayImage decoded(const PagePicture& picture) const {
+    std::vector<uint8_t> bytes;
+    uint32_t word = 0, bits = 0;
+    for (const char c : picture.base64) {
+      const size_t digit =
+          std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(c);
+      if (digit == std::string_view::npos) break;
+      word = word << 6 | uint32_t(digit);
+      if ((bits += 6) >= 8) bytes.push_back(uint8_t(word >> (bits -= 8)));
+    }
+    write_file(folder_ / "decoded.png", bytes);
+    return read_png(folder_ / "decoded.png");
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ReportPictures, AreTheFilesThemselvesWhereThereIsRoom) {
+  const PagePictures pictures = taken(1 << 20);
+  ASSERT_EQ(pictures.all.size(), 2u) << "one that is gone is left out";
+  EXPECT_EQ(pictures.all[1].file, "b.png");
+  EXPECT_EQ(pictures.divisor, 1);
+  EXPECT_EQ(pictures.left_out, 0u);
+  EXPECT_EQ(decoded(pictures.all[1]).pixels, read_png(folder_ / "b.png").pixels);
+}
+
+TEST_F(ReportPictures, AreHalvedUntilTheyFit) {
+  const uint64_t whole = taken(1 << 20).bytes();
+  const PagePictures pictures = taken(whole / 2);
+  EXPECT_EQ(pictures.divisor, 2);
+  EXPECT_EQ(pictures.left_out, 0u);
+  EXPECT_LE(pictures.bytes(), whole / 2);
+  const DisplayImage half = decoded(pictures.all[0]);
+  EXPECT_EQ(half.width, 320);
+  EXPECT_EQ(half.height, 32);
+}
+
+TEST_F(ReportPictures, AreLeftOutRatherThanMadeTooSmallToSee) {
+  const uint64_t whole = taken(1 << 20).bytes();
+  const PagePictures pictures = taken(whole / 24);  // a quarter of the width, of one of the two
+  EXPECT_EQ(pictures.divisor, 4);
+  EXPECT_EQ(pictures.left_out, 1u);
+  EXPECT_FALSE(pictures.all[0].base64.empty());
+  EXPECT_TRUE(pictures.all[1].base64.empty());
+  EXPECT_EQ(taken(0).left_out, 2u);
+}
+
+}  // namespace
+}  // namespace plume
