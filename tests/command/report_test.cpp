@@ -165,6 +165,7 @@ TEST_F(ReportTest, ShowsRangesProbesNotesAndSensitivityWhereTheyWereMeasured) {
                                {"ms_before", 1.0},
                                {"ms_after", 1.5},
                                {"accuracy_per_ms", 0.2},
+                               {"kind", "buys"},
                                {"sure", true}}};
   });
   const std::string dom = open("");
@@ -172,7 +173,7 @@ TEST_F(ReportTest, ShowsRangesProbesNotesAndSensitivityWhereTheyWereMeasured) {
                           "data-steps=\"1\""}));
   EXPECT_TRUE(says(dom, {"Busy &lt;/script&gt;&lt;b&gt;machine", "[1.50–2.50]",
                          "plume compare quads_mcguire --size 32x18 --only quads_mcguire_000000_sorted",
-                         "failed: exit 4: device lost", "eq7 → eq8"}));
+                         "failed: exit 4: device lost", "eq7 → eq8", "0.200 less error for each ms more"}));
 }
 
 }  // namespace

@@ -6,22 +6,25 @@ const $ = (id) => document.getElementById(id);
 function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes))
-    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
-    else if (value === true) made.setAttribute(name, "");
-    else if (value !== false && value !== null && value !== undefined) made.setAttribute(name, value);
+    if (name.startsWith('on'))
+      made.addEventListener(name.slice(2), value);
+    else if (value === true)
+      made.setAttribute(name, '');
+    else if (value !== false && value !== null && value !== undefined)
+      made.setAttribute(name, value);
   made.append(...children.filter((child) => child !== null && child !== undefined));
   return made;
 }
 
 /// Three figures that count, without exponents from 0.0001 on.
 function figure(value) {
-  if (value === null || value === undefined || Number.isNaN(value)) return "–";
-  if (!Number.isFinite(value)) return "∞";
-  if (value === 0) return "0";
+  if (value === null || value === undefined || Number.isNaN(value)) return '–';
+  if (!Number.isFinite(value)) return '∞';
+  if (value === 0) return '0';
   const size = Math.abs(value);
   if (size < 1e-4) {
-    const [mantissa, exponent] = value.toExponential(1).split("e");
-    return `${mantissa}·10${[...String(Number(exponent))].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")}`;
+    const [mantissa, exponent] = value.toExponential(1).split('e');
+    return `${mantissa}·10${[...String(Number(exponent))].map((c) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻').join('')}`;
   }
   if (size >= 100) return value.toFixed(0);
   return value.toFixed(Math.min(6, 2 - Math.floor(Math.log10(size))));
@@ -41,5 +44,5 @@ function bytesText(bytes) {
 
 /// "a, b and c"
 function listText(names) {
-  return names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;
 }

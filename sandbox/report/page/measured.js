@@ -1,18 +1,18 @@
 // What was measured, as the page thinks of it: moments (a scene at a tick), and in each a row per method with
 // its settings. The moment "all" has the means over those that every moment has.
 
-const input = JSON.parse($("data").textContent);
+const input = JSON.parse($('data').textContent);
 const frames = input.results.frames;
 
 const kErrors = {
-  rmse: {name: "RMSE", of: (error) => error.rmse, text: "RMSE, in linear light"},
-  flip: {name: "FLIP", of: (error) => error.flip, text: "FLIP, as a person sees it"},
-  ssim: {name: "1 − SSIM", of: (error) => 1 - error.ssim, text: "1 − SSIM, structure"},
+  rmse: {name: 'RMSE', of: (error) => error.rmse, text: 'RMSE, in linear light'},
+  flip: {name: 'FLIP', of: (error) => error.flip, text: 'FLIP, as a person sees it'},
+  ssim: {name: '1 − SSIM', of: (error) => 1 - error.ssim, text: '1 − SSIM, structure'},
 };
 const kTimes = {
-  total: {name: "whole frame", of: (frame) => frame.gpu_ms, range: (frame) => frame.gpu_ms_interval},
+  total: {name: 'whole frame', of: (frame) => frame.gpu_ms, range: (frame) => frame.gpu_ms_interval},
   own: {
-    name: "transparency alone",
+    name: 'transparency alone',
     of: (frame) => frame.transparency_ms,
     range: (frame) => frame.transparency_ms_interval,
   },
@@ -20,7 +20,7 @@ const kTimes = {
 const kExactBelow = 1e-6;
 
 function settingsText(settings) {
-  return Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(" ");
+  return Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(' ');
 }
 
 const differs = (of) => new Set(frames.map((frame) => JSON.stringify(of(frame)))).size > 1;
@@ -31,32 +31,34 @@ function momentOf(frame) {
   let id = `${frame.scene}@${frame.tick}`;
   let name = `${frame.scene}, tick ${frame.tick}`;
   if (frame.shot) [id, name] = [`${id}.shot${frame.shot}`, `shot ${frame.shot}: ${name}`];
-  if (severalSizes) [id, name] = [`${id}.${frame.size.join("x")}`, `${name}, ${frame.size.join("×")}`];
+  if (severalSizes) [id, name] = [`${id}.${frame.size.join('x')}`, `${name}, ${frame.size.join('×')}`];
   if (severalSeeds) [id, name] = [`${id}.seed${frame.seed}`, `${name}, seed ${frame.seed}`];
   return {id, name};
 }
 
 const same = (a, b) => JSON.stringify(a ?? null) === JSON.stringify(b ?? null);
 
+/// Whether something that was measured is of the moment of a frame.
+function isOf(thing, frame) {
+  return thing.scene === frame.scene && thing.tick === frame.tick &&
+      ['shot', 'size', 'seed'].every((name) => thing[name] === undefined || same(thing[name], frame[name]));
+}
+
 /// Of one moment, from either form of results.json.
 function demandOf(frame, isLast) {
-  const at = (input.results.moments ?? []).find(
-      (moment) => moment.scene === frame.scene && moment.tick === frame.tick &&
-          (moment.shot ?? null) === (frame.shot ?? null) &&
-          (moment.size === undefined || same(moment.size, frame.size)) &&
-          (moment.seed === undefined || same(moment.seed, frame.seed)));
+  const at = (input.results.moments ?? []).find((moment) => isOf(moment, frame));
   return at?.demand ?? (isLast ? input.results.demand ?? null : null);
 }
 
 /// The line that measures the row again.
 function commandOf(frame, changed) {
   if (input.results.command && frame.job) return `${input.results.command} --only ${frame.job}`;
-  const words = ["plume compare", frame.scene, `--at ${frame.tick}`, `--methods ${frame.method}`];
+  const words = ['plume compare', frame.scene, `--at ${frame.tick}`, `--methods ${frame.method}`];
   for (const [name, value] of Object.entries(changed)) words.push(`--set ${frame.method}.${name}=${value}`);
-  words.push(`--size ${frame.size.join("x")}`);
+  words.push(`--size ${frame.size.join('x')}`);
   if (frame.seed !== undefined) words.push(`--seed ${frame.seed}`);
   if (frame.passes.length) words.push(`--frames ${frame.passes[0].samples}`);
-  return words.join(" ");
+  return words.join(' ');
 }
 
 const rows = frames.map((frame, index) => {
@@ -68,10 +70,11 @@ const rows = frames.map((frame, index) => {
     settings,
     id: settings ? `${frame.method} ${settings}` : frame.method,
     method: frame.method,
-    drawn: frame.status === "ok",
-    measured: frame.status === "ok" && frame.error !== null && frame.error.rmse !== null,
+    drawn: frame.status === 'ok',
+    measured: frame.status === 'ok' && frame.error !== null && frame.error.rmse !== null,
     command: commandOf(frame, changed),
-    errors: frame.error && Object.fromEntries(Object.entries(kErrors).map(([y, of]) => [y, of.of(frame.error)])),
+    errors:
+        frame.error && Object.fromEntries(Object.entries(kErrors).map(([y, of]) => [y, of.of(frame.error)])),
     times: Object.fromEntries(
         Object.entries(kTimes).map(([x, of]) => [x, {value: of.of(frame), range: of.range(frame) ?? null}])),
   };
@@ -81,7 +84,7 @@ const moments = [];
 for (const row of rows) {
   const {id, name} = momentOf(row.frame);
   let moment = moments.find((other) => other.id === id);
-  if (!moment) moments.push(moment = {id, name, rows: [], unit: "ms"});
+  if (!moment) moments.push(moment = {id, name, rows: [], unit: 'ms'});
   moment.rows.push(row);
   row.moment = moment;
 }
@@ -90,7 +93,7 @@ moments.forEach((moment, index) => {
 });
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-const kBaseline = "sorted";
+const kBaseline = 'sorted';
 
 /// Errors: arithmetic means. Times: geometric means, of the ratio to plain sorted blending in the same moment
 /// where every moment has it. Half the widths of the ranges of the logarithms add like independent errors.
@@ -106,7 +109,8 @@ function overAll() {
     const times = of.map((row) => row.times[x]);
     const others = ratio ? baseline.map((row) => row.times[x]) : [];
     const isBaseline = ratio && of[0].id === kBaseline;
-    const value = Math.exp(mean(times.map((t, i) => Math.log(t.value) - (ratio ? Math.log(others[i].value) : 0))));
+    const value =
+        Math.exp(mean(times.map((t, i) => Math.log(t.value) - (ratio ? Math.log(others[i].value) : 0))));
     const known = [...times, ...others].every((t) => t.range && t.range[0] > 0);
     if (!known || isBaseline) return {value, range: isBaseline && known ? [1, 1] : null};
     const squares = [...times, ...others].map((t) => logRange(t) ** 2);
@@ -126,10 +130,10 @@ function overAll() {
     };
   });
   return {
-    id: "all",
+    id: 'all',
     name: `all ${moments.length} frames`,
     rows: means,
-    unit: ratio ? "×" : "ms",
+    unit: ratio ? '×' : 'ms',
     missing: ids.filter((id) => !inEvery(id) && rows.some((row) => row.id === id && row.measured)),
     demand: null,
   };
@@ -140,7 +144,8 @@ if (all) all.rows.forEach((row) => row.moment = all);
 const views = all && all.rows.length > 1 ? [all, ...moments] : moments;
 
 const errorOf = (row, y) => row.errors[y] < kExactBelow ? 0 : row.errors[y];
-const rangesMeet = (a, b) => Boolean(a.range && b.range && a.range[0] <= b.range[1] && b.range[0] <= a.range[1]);
+const rangesMeet = (a, b) =>
+    Boolean(a.range && b.range && a.range[0] <= b.range[1] && b.range[0] <= a.range[1]);
 const isFaster = (a, b) => a.value < b.value && !rangesMeet(a, b);
 
 /// Those that nothing beats: nothing is as accurate and surely faster, nor more accurate and no slower.

@@ -1,5 +1,4 @@
-// Error against time on logarithmic axes, with the front of what is worth its time, ranges of times, and
-// labels where there is room for them.
+// Error against time on logarithmic axes, with the front of what is worth its time and ranges of times.
 
 let scatter = null;
 let plotted = null;  // {front, bounds, measured, place}: Chart.js would call functions in its options
@@ -9,7 +8,7 @@ function logTick(value, axis) {
   const leading = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
   const decades = Math.log10(axis.max / axis.min);
   const named = decades > 3.2 ? [1] : decades > 0.9 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9];
-  return named.some((digit) => Math.abs(digit - leading) < 1e-6) ? tickFigure(value) : "";
+  return named.some((digit) => Math.abs(digit - leading) < 1e-6) ? tickFigure(value) : '';
 }
 
 /// From and to on a logarithmic axis, with room on both sides; at least a factor of 2 apart.
@@ -27,79 +26,56 @@ function scatterBounds(measured) {
     const {value, range} = row.times[view.x];
     return range ? [value, ...range.filter((end) => end > 0)] : [value];
   });
-  const x = logBounds(times, 0.1);
+  const x = logBounds(times, 0.12);
   const hasExact = errors.length < measured.length;
   if (!errors.length) return {x, y: {min: 1e-6, max: 1e-3}, exact: 2e-6};
-  const y = logBounds(errors, 0.1);
+  const y = logBounds(errors, 0.12);
   if (!hasExact) return {x, y, exact: null};
   const decades = Math.log10(y.max / y.min);
   return {x, y: {min: y.min / 10 ** (0.16 * decades), max: y.max}, exact: y.min / 10 ** (0.07 * decades)};
 }
 
-const boxesMeet = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
-
-/// Labels beside their points, in the first place that is free; those for which there is none are left to the
-/// pointer. `points` come in the order in which they deserve one.
-function placeLabels(points, area, measure) {
-  const taken = points.flatMap(({x, y, from, to}) => [{x: x - 7, y: y - 7, w: 14, h: 14}, {x: from, y: y - 3, w: to - from, h: 6}]);
-  const placed = [];
-  for (const point of points) {
-    const w = measure(point), h = 15;
-    const places = [
-      [Math.max(point.x + 11, point.to + 5), point.y - h / 2], [Math.min(point.x - 11, point.from - 5) - w, point.y - h / 2],
-      [point.x - w / 2, point.y - 8 - h], [point.x - w / 2, point.y + 8],
-      [point.x + 4, point.y - 8 - h], [point.x + 4, point.y + 8],
-      [point.x - 4 - w, point.y - 8 - h], [point.x - 4 - w, point.y + 8],
-    ];
-    const free = places.map(([x, y]) => ({x, y, w, h})).find(
-        (box) => box.x >= area.left && box.x + w <= area.right && box.y >= area.top && box.y + h <= area.bottom &&
-            !taken.some((other) => boxesMeet(box, other)));
-    if (!free) continue;
-    taken.push(free);
-    placed.push({...free, point});
-  }
-  return placed;
-}
-
 const scatterDrawing = {
-  id: "plume",
+  id: 'plume',
   beforeDatasetsDraw(chart) {
     const {ctx, chartArea: area, scales: {x, y}} = chart;
     const {front, bounds, measured, place} = plotted;
     ctx.save();
     if (bounds.exact) {
-      const at = y.getPixelForValue(bounds.exact), top = y.getPixelForValue(bounds.exact * (bounds.y.min / bounds.exact) ** -0.75);
-      ctx.fillStyle = css("--faint");
+      const at = y.getPixelForValue(bounds.exact),
+            top = y.getPixelForValue(bounds.exact * (bounds.y.min / bounds.exact) ** -0.75);
+      ctx.fillStyle = css('--faint');
       ctx.fillRect(area.left, top, area.width, area.bottom - top);
-      ctx.strokeStyle = css("--quiet");
+      ctx.strokeStyle = css('--quiet');
       ctx.setLineDash([2, 4]);
       ctx.beginPath();
       ctx.moveTo(area.left, at);
       ctx.lineTo(area.right, at);
       ctx.stroke();
       ctx.setLineDash([]);
-      ctx.fillStyle = css("--quiet");
-      ctx.textAlign = "right";
-      ctx.textBaseline = "middle";
-      ctx.fillText("exact", area.left - 6, at);
+      ctx.fillStyle = css('--quiet');
+      ctx.textAlign = 'right';
+      ctx.textBaseline = 'middle';
+      ctx.fillText('exact', area.left - 6, at);
     }
     if (front.length) {  // stairs: beyond them something is at least as good in both
       ctx.beginPath();
-      const corners = front.map((row) => place(row)).map((p) => [x.getPixelForValue(p.x), y.getPixelForValue(p.y)]);
+      const corners =
+          front.map((row) => place(row)).map((p) => [x.getPixelForValue(p.x), y.getPixelForValue(p.y)]);
       ctx.moveTo(corners[0][0], area.top);
       corners.forEach(([px, py], i) => {
         ctx.lineTo(px, i ? corners[i - 1][1] : area.top);
         ctx.lineTo(px, py);
       });
       ctx.lineTo(area.right, corners.at(-1)[1]);
-      ctx.strokeStyle = css("--front");
+      ctx.strokeStyle = css('--front');
       ctx.lineWidth = 1.6;
       ctx.globalAlpha = 0.8;
       ctx.stroke();
       ctx.lineTo(area.right, area.top);
       ctx.closePath();
       ctx.globalAlpha = 0.05;
-      ctx.fillStyle = css("--front");
+      ctx.fillStyle = css('--front');
       ctx.fill();
       ctx.globalAlpha = 1;
     }
@@ -111,7 +87,8 @@ const scatterDrawing = {
       ctx.strokeStyle = symbolOf(row.method).colour;
       ctx.lineWidth = 1.5;
       ctx.beginPath();
-      for (const [x0, y0, x1, y1] of [[from, py, to, py], [from, py - 4, from, py + 4], [to, py - 4, to, py + 4]]) {
+      for (const [x0, y0, x1, y1] of [
+               [from, py, to, py], [from, py - 4, from, py + 4], [to, py - 4, to, py + 4]]) {
         ctx.moveTo(x0, y0);
         ctx.lineTo(x1, y1);
       }
@@ -123,16 +100,19 @@ const scatterDrawing = {
     const {ctx, chartArea: area, scales: {x, y}} = chart;
     const {front, measured, place} = plotted;
     ctx.save();
-    ctx.textBaseline = "alphabetic";
+    ctx.textBaseline = 'alphabetic';
     const points = [...front, ...measured.filter((row) => !front.includes(row))].map((row) => {
       const at = place(row);
-      const [from, to] = (row.times[view.x].range ?? [at.x, at.x]).map((end) => x.getPixelForValue(Math.max(end, x.min)));
+      const [from, to] =
+          (row.times[view.x].range ?? [at.x, at.x]).map((end) => x.getPixelForValue(Math.max(end, x.min)));
       return {x: x.getPixelForValue(at.x), y: y.getPixelForValue(at.y), from, to, text: row.id, row};
     });
     const narrow = area.width < 500;
-    const cut = (text) => narrow && text.length > 18 ? text.slice(0, 17) + "…" : text.length > 44 ? text.slice(0, 43) + "…" : text;
+    const cut = (text) => narrow && text.length > 18 ? text.slice(0, 17) + '…' :
+        text.length > 44                             ? text.slice(0, 43) + '…' :
+                                                       text;
     for (const point of points) point.text = cut(point.text);
-    const font = (row) => `${front.includes(row) ? "bold " : ""}12px ${Chart.defaults.font.family}`;
+    const font = (row) => `${front.includes(row) ? 'bold ' : ''}12px ${Chart.defaults.font.family}`;
     const placed = placeLabels(points, area, (point) => {
       ctx.font = font(point.row);
       return ctx.measureText(point.text).width;
@@ -140,7 +120,7 @@ const scatterDrawing = {
     for (const label of placed) {
       ctx.font = font(label.point.row);
       ctx.lineWidth = 3;
-      ctx.strokeStyle = css("--card");
+      ctx.strokeStyle = css('--card');
       ctx.strokeText(label.point.text, label.x, label.y + 12);
       ctx.fillStyle = symbolOf(label.point.row.method).colour;
       ctx.fillText(label.point.text, label.x, label.y + 12);
@@ -152,11 +132,14 @@ const scatterDrawing = {
 
 /// Cut at spaces into lines of so many letters.
 function wrapped(text, most) {
-  const lines = [""];
-  for (const word of text.split(" "))
-    if (!lines.at(-1)) lines[lines.length - 1] = word;
-    else if (lines.at(-1).length + word.length < most) lines[lines.length - 1] += ` ${word}`;
-    else lines.push(word);
+  const lines = [''];
+  for (const word of text.split(' '))
+    if (!lines.at(-1))
+      lines[lines.length - 1] = word;
+    else if (lines.at(-1).length + word.length < most)
+      lines[lines.length - 1] += ` ${word}`;
+    else
+      lines.push(word);
   return lines;
 }
 
@@ -166,9 +149,10 @@ function rowLines(row) {
   const lines = [];
   for (const [id, time] of Object.entries(kTimes)) {
     const {value, range} = row.times[id];
-    lines.push(`${time.name}: ${timeText(value)}${range ? `, surely ${figure(range[0])} to ${figure(range[1])}` : ""}`);
+    lines.push(`${time.name}: ${timeText(value)}${
+        range ? `, surely ${figure(range[0])} to ${figure(range[1])}` : ''}`);
   }
-  lines.push(Object.entries(kErrors).map(([y, of]) => `${of.name} ${figure(row.errors[y])}`).join("   "));
+  lines.push(Object.entries(kErrors).map(([y, of]) => `${of.name} ${figure(row.errors[y])}`).join('   '));
   lines.push(`memory: ${bytesText(row.memory ?? frame.memory_bytes)}`);
   if (frame.left_out.length) lines.push(`without ${listText(frame.left_out)}`);
   const alike = shownMoment().rows.filter(
@@ -185,33 +169,37 @@ function drawScatter() {
   const place = (row) => ({x: row.times[view.x].value, y: errorOf(row, view.y) || bounds.exact});
   scatter?.destroy();
   scatter = null;
-  $("cost").hidden = !measured.length;
+  $('cost').hidden = !measured.length;
   document.documentElement.dataset.points = measured.length;
-  document.documentElement.dataset.front = front.map((row) => row.id).join(", ");
+  document.documentElement.dataset.front = front.map((row) => row.id).join(', ');
   if (!measured.length) return;
 
-  const datasets = methodOrder.map((method) => {
-    const {colour, shape} = symbolOf(method);
-    const of = measured.filter((row) => row.method === method);
-    return {
-      data: of.map((row) => ({...place(row), row})),
-      pointStyle: shape === "nabla" ? "triangle" : shape,
-      rotation: shape === "nabla" ? 180 : 0,
-      pointRadius: of.map((row) => row.id === view.method ? 9 : 6.5),
-      pointHoverRadius: 9,
-      pointHitRadius: 8,
-      backgroundColor: colour,
-      borderColor: colour,
-      borderWidth: isOpen(shape) ? 2.2 : 1,
-      hoverBorderWidth: 2.5,
-    };
-  }).filter((dataset) => dataset.data.length);
+  const datasets = methodOrder
+                       .map((method) => {
+                         const {colour, shape} = symbolOf(method);
+                         const of = measured.filter((row) => row.method === method);
+                         return {
+                           data: of.map((row) => ({...place(row), row})),
+                           pointStyle: shape === 'nabla' ? 'triangle' : shape,
+                           rotation: shape === 'nabla' ? 180 : 0,
+                           pointRadius: of.map((row) => row.id === view.method ? 9 : 6.5),
+                           pointHoverRadius: 9,
+                           pointHitRadius: 8,
+                           backgroundColor: colour,
+                           borderColor: colour,
+                           borderWidth: isOpen(shape) ? 2.2 : 1,
+                           hoverBorderWidth: 2.5,
+                         };
+                       })
+                       .filter((dataset) => dataset.data.length);
   const narrow = innerWidth < 700;
-  const unit = timeUnit() === "×" ? (narrow ? `× ${kBaseline}` : `times that of ${kBaseline} (plain sorted blending), geometric mean`) :
-      isMean() && !narrow ? "ms, geometric mean" : "ms";
+  const unit = timeUnit() === '×' ?
+      (narrow ? `× ${kBaseline}` : `times that of ${kBaseline} (plain sorted blending), geometric mean`) :
+      isMean() && !narrow ? 'ms, geometric mean' :
+                            'ms';
   plotted = {front, bounds, measured, place};
-  scatter = new Chart($("scatter"), {
-    type: "scatter",
+  scatter = new Chart($('scatter'), {
+    type: 'scatter',
     data: {datasets},
     plugins: [scatterDrawing],
     options: {
@@ -221,22 +209,39 @@ function drawScatter() {
       },
       scales: {
         x: {
-          type: "logarithmic", ...bounds.x,
-          title: {display: true, text: `← faster      ${narrow ? "" : "GPU time, "}${kTimes[view.x].name}, ${unit}`, color: css("--ink")},
+          type: 'logarithmic',
+          ...bounds.x,
+          title: {
+            display: true,
+            text: `← faster      ${narrow ? '' : 'GPU time, '}${kTimes[view.x].name}, ${unit}`,
+            color: css('--ink')
+          },
           ticks: {callback: (value) => logTick(value, bounds.x), maxRotation: 0, autoSkipPadding: 10},
-          grid: {color: css("--faint")},
+          grid: {color: css('--faint')},
         },
         y: {
-          type: "logarithmic", ...bounds.y,
-          title: {display: true, text: `← more accurate      ${kErrors[view.y].text}${isMean() ? ", mean" : ""}`, color: css("--ink")},
-          ticks: {callback: (value) => bounds.exact && value < bounds.exact * 1.3 ? "" : logTick(value, bounds.y)},
-          grid: {color: (at) => bounds.exact && at.tick?.value < bounds.exact * 1.3 ? "transparent" : css("--faint")},
+          type: 'logarithmic',
+          ...bounds.y,
+          title: {
+            display: true,
+            text: `← more accurate      ${kErrors[view.y].text}${isMean() ? ', mean' : ''}`,
+            color: css('--ink')
+          },
+          ticks: {
+            callback: (value) => bounds.exact && value < bounds.exact * 1.3 ? '' : logTick(value, bounds.y)
+          },
+          grid: {
+            color: (at) =>
+                bounds.exact && at.tick?.value < bounds.exact * 1.3 ? 'transparent' : css('--faint')
+          },
         },
       },
       plugins: {
         tooltip: {
           callbacks: {
-            title: (items) => [...new Set(items.map(({raw: {row}}) => `${row.id}${input.methods[row.method] ? ` (${input.methods[row.method].title})` : ""}`))],
+            title: (items) => [...new Set(items.map(
+                ({raw: {row}}) =>
+                    `${row.id}${input.methods[row.method] ? ` (${input.methods[row.method].title})` : ''}`))],
             label: (item) => rowLines(item.raw.row),
           },
         },
@@ -249,34 +254,42 @@ function drawScatter() {
 
 /// The conclusion in words.
 function tellFront(measured, front) {
-  const error = (row) => errorOf(row, view.y) === 0 ? "exact" : `${kErrors[view.y].name} ${figure(row.errors[view.y])}`;
-  const place = $("front");
+  const error = (row) =>
+      errorOf(row, view.y) === 0 ? 'exact' : `${kErrors[view.y].name} ${figure(row.errors[view.y])}`;
+  const place = $('front');
   place.replaceChildren(
-      element("strong", {}, `${front.length} of ${measured.length} worth their time`),
-      `${isMean() ? " over all frames" : " here"}, from the fastest to the most accurate: `);
+      element('strong', {}, `${front.length} of ${measured.length} worth their time`),
+      `${isMean() ? ' over all frames' : ' here'}, from the fastest to the most accurate: `);
   front.forEach((row, i) => {
-    place.append(i ? " → " : "", element("strong", {class: "on_front"}, row.id),
-                 ` (${timeText(row.times[view.x].value)}, ${error(row)})`);
+    place.append(
+        i ? ' → ' : '', element('strong', {class: 'on_front'}, row.id),
+        ` (${timeText(row.times[view.x].value)}, ${error(row)})`);
   });
-  place.append(".");
+  place.append('.');
   const ranges = measured.some((row) => row.times[view.x].range);
-  $("cost_note").textContent = ranges ?
-      "Each bar holds the true median time with 95 % certainty: of two whose bars meet, nobody knows which is faster." :
-      "How certain the times are was not measured here: small differences may be chance.";
+  $('cost_note').textContent = ranges ?
+      'Each bar holds the true median time with 95 % certainty: of two whose bars meet, nobody knows which is faster.' :
+      'How certain the times are was not measured here: small differences may be chance.';
   const idle = shownMoment().rows.filter((row) => !row.drawn);
-  $("not_drawn").hidden = !idle.length && !(shownMoment().missing?.length);
-  $("not_drawn").textContent = [
+  $('not_drawn').hidden = !idle.length && !(shownMoment().missing?.length);
+  $('not_drawn').textContent = [
     ...idle.map((row) => `${row.id}: ${row.frame.status}.`),
-    shownMoment().missing?.length ? `Not in every frame, so not shown here: ${listText(shownMoment().missing)}.` : "",
-  ].join(" ");
+    shownMoment().missing?.length ?
+        `Not in every frame, so not shown here: ${listText(shownMoment().missing)}.` :
+        '',
+  ].join(' ');
 }
 
 function drawKey(measured) {
-  $("key").replaceChildren(...methodOrder.filter((method) => measured.some((row) => row.method === method)).map(
-      (method) => element("li", {title: input.methods[method]?.source}, symbolElement(method), element("span", {}, method,
-          input.methods[method] ? `: ${input.methods[method].title}` : ""))));
+  $('key').replaceChildren(
+      ...methodOrder.filter((method) => measured.some((row) => row.method === method))
+          .map(
+              (method) => element(
+                  'li', {title: input.methods[method]?.source}, symbolElement(method),
+                  element(
+                      'span', {}, method, input.methods[method] ? `: ${input.methods[method].title}` : ''))));
 }
 
 drawers.push((changed) => {
-  if (!changed.size || ["x", "y", "moment", "method"].some((name) => changed.has(name))) drawScatter();
+  if (!changed.size || ['x', 'y', 'moment', 'method'].some((name) => changed.has(name))) drawScatter();
 });

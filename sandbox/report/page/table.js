@@ -1,30 +1,62 @@
 // All numbers, sorted by any column.
 
 const kColumns = [
-  {id: "method", name: "method", text: true, of: (row) => row.id, show: methodCell},
-  {id: "frame", name: "frame", text: true, of: (row) => row.moment.name, frames: true},
-  ...Object.keys(kErrors).map((y) => ({id: y, name: kErrors[y].name, of: (row) => row.errors?.[y], show: (row) => figure(row.errors?.[y])})),
-  {id: "psnr", name: "PSNR dB", best: -1, frames: true, of: (row) => row.frame.error && (row.frame.error.psnr_db ?? Infinity),
-    show: (row) => row.frame.error ? (row.frame.error.psnr_db === null ? (row.frame.error.rmse === 0 ? "∞" : "–") : row.frame.error.psnr_db.toFixed(2)) : "–"},
-  ...Object.keys(kTimes).map((x) => ({id: x === "total" ? "time" : "own", name: kTimes[x].name, unit: true,
-    of: (row) => row.drawn ? row.times[x].value : null, show: (row) => timeCell(row, x)})),
-  {id: "ratio", name: `× ${kBaseline}`, frames: true, of: ratioOf, show: (row) => figure(ratioOf(row))},
-  {id: "memory", name: "memory", of: (row) => row.drawn ? row.memory ?? row.frame.memory_bytes : null,
-    show: (row) => row.drawn ? bytesText(row.memory ?? row.frame.memory_bytes) : "–"},
-  {id: "left_out", name: "without", text: true, frames: true, of: (row) => row.frame.left_out.join(", "), wrap: true},
+  {id: 'method', name: 'method', text: true, of: (row) => row.id, show: methodCell},
+  {id: 'frame', name: 'frame', text: true, of: (row) => row.moment.name, frames: true},
+  ...Object.keys(kErrors).map((y) => ({
+                                id: y,
+                                name: kErrors[y].name,
+                                of: (row) => row.errors?.[y],
+                                show: (row) => figure(row.errors?.[y])
+                              })),
+  {
+    id: 'psnr',
+    name: 'PSNR dB',
+    best: -1,
+    frames: true,
+    of: (row) => row.frame.error && (row.frame.error.psnr_db ?? Infinity),
+    show: (row) => row.frame.error ?
+        (row.frame.error.psnr_db === null ? (row.frame.error.rmse === 0 ? '∞' : '–') :
+                                            row.frame.error.psnr_db.toFixed(2)) :
+        '–'
+  },
+  ...Object.keys(kTimes).map((x) => ({
+                               id: x === 'total' ? 'time' : 'own',
+                               name: kTimes[x].name,
+                               unit: true,
+                               of: (row) => row.drawn ? row.times[x].value : null,
+                               show: (row) => timeCell(row, x)
+                             })),
+  {id: 'ratio', name: `× ${kBaseline}`, frames: true, of: ratioOf, show: (row) => figure(ratioOf(row))},
+  {
+    id: 'memory',
+    name: 'memory',
+    of: (row) => row.drawn ? row.memory ?? row.frame.memory_bytes : null,
+    show: (row) => row.drawn ? bytesText(row.memory ?? row.frame.memory_bytes) : '–'
+  },
+  {
+    id: 'left_out',
+    name: 'without',
+    text: true,
+    frames: true,
+    of: (row) => row.frame.left_out.join(', '),
+    wrap: true
+  },
 ];
 
 function methodCell(row) {
   const onFront = row.moment.front?.includes(row);
-  return element("span", {class: onFront ? "on_front" : null, title: input.methods[row.method]?.title},
-                 symbolElement(row.method), ` ${row.id}${onFront ? " ★" : ""}`,
-                 row.drawn ? null : element("span", {class: "status"}, row.frame.status));
+  return element(
+      'span', {class: onFront ? 'on_front' : null, title: input.methods[row.method]?.title},
+      symbolElement(row.method), ` ${row.id}${onFront ? ' ★' : ''}`,
+      row.drawn ? null : element('span', {class: 'status'}, row.frame.status));
 }
 
 function timeCell(row, x) {
-  if (!row.drawn) return "–";
+  if (!row.drawn) return '–';
   const {value, range} = row.times[x];
-  return element("span", {}, figure(value), range ? element("span", {class: "range"}, ` ${rangeText(range)}`) : "");
+  return element(
+      'span', {}, figure(value), range ? element('span', {class: 'range'}, ` ${rangeText(range)}`) : '');
 }
 
 /// Time over that of plain sorted blending in the same moment.
@@ -36,7 +68,7 @@ function ratioOf(row) {
 function compareValues(a, b) {
   const missing = (value) => value === null || value === undefined || Number.isNaN(value);
   if (missing(a) || missing(b)) return missing(a) - missing(b);
-  return typeof a === "string" ? a.localeCompare(b, "en", {numeric: true}) : a - b;
+  return typeof a === 'string' ? a.localeCompare(b, 'en', {numeric: true}) : a - b;
 }
 
 function sortedRows(of) {
@@ -50,39 +82,69 @@ function sortedRows(of) {
 async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
-    $("copied").replaceChildren("Copied: ", element("code", {}, text));
+    $('copied').replaceChildren('Copied: ', element('code', {}, text));
   } catch {  // a browser that keeps its clipboard from pages on disk
-    $("copied").replaceChildren("Copy this: ", element("code", {}, text));
-    getSelection().selectAllChildren($("copied").querySelector("code"));
+    $('copied').replaceChildren('Copy this: ', element('code', {}, text));
+    getSelection().selectAllChildren($('copied').querySelector('code'));
   }
 }
 
 function tableOf(of, columns, caption) {
   const heads = columns.map((column) => {
     const sorted = view.sort === column.id;
-    return element("th", {class: column.text ? "text" : null, scope: "col", "data-column": column.id,
-      "aria-sort": sorted ? (view.down ? "descending" : "ascending") : "none"},
-      element("button", {type: "button", onclick: () => change({sort: column.id, down: sorted ? !view.down : column.best === -1})},
-              column.unit ? `${column.name}, ${of[0].moment.unit}` : column.name));
+    return element(
+        'th', {
+          class: column.text ? 'text' : null,
+          scope: 'col',
+          'data-column': column.id,
+          'aria-sort': sorted ? (view.down ? 'descending' : 'ascending') : 'none'
+        },
+        element(
+            'button', {
+              type: 'button',
+              onclick: () => change({sort: column.id, down: sorted ? !view.down : column.best === -1})
+            },
+            column.unit ? `${column.name}, ${of[0].moment.unit}` : column.name));
   });
   const copies = of.some((row) => row.command);
-  if (copies) heads.push(element("th", {class: "text again", scope: "col"}, "command"));
-  const body = sortedRows(of).map((row) => element("tr", {
-    class: row.id === view.method && row.moment.id === view.moment ? "picked" : null,
-    onclick: () => pick(row),
-  }, ...columns.map((column) => {
-    const shown = (column.show ?? column.of)(row);
-    return element("td", {class: [column.text && "text", column.wrap && "wrap"].filter(Boolean).join(" ") || null}, shown ?? "–");
-  }), copies ? element("td", {class: "text again"}, element("button", {type: "button", title: row.command, onclick: (event) => {
-    event.stopPropagation();
-    copy(row.command);
-  }}, "copy")) : null));
-  return element("div", {class: "scroll", tabindex: "0"}, element("table", {}, caption ? element("caption", {}, caption) : null,
-      element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}, ...body)));
+  if (copies) heads.push(element('th', {class: 'text again', scope: 'col'}, 'command'));
+  const body = sortedRows(of).map(
+      (row) => element(
+          'tr', {
+            class: row.id === view.method && row.moment.id === view.moment ? 'picked' : null,
+            onclick: () => pick(row),
+          },
+          ...columns.map((column) => {
+            const shown = (column.show ?? column.of)(row);
+            return element(
+                'td',
+                {class: [column.text && 'text', column.wrap && 'wrap'].filter(Boolean).join(' ') || null},
+                shown ?? '–');
+          }),
+          copies ? element(
+                       'td', {class: 'text again'},
+                       element(
+                           'button', {
+                             type: 'button',
+                             title: row.command,
+                             onclick: (event) => {
+                               event.stopPropagation();
+                               copy(row.command);
+                             }
+                           },
+                           'copy')) :
+                   null));
+  return element(
+      'div', {class: 'scroll', tabindex: '0'},
+      element(
+          'table', {}, caption ? element('caption', {}, caption) : null,
+          element('thead', {}, element('tr', {}, ...heads)), element('tbody', {}, ...body)));
 }
 
 function pick(row) {
-  change(row.moment.id === view.moment ? {method: row.id} : {moment: row.moment.id, method: row.id, against: "", pixel: ""});
+  change(
+      row.moment.id === view.moment ? {method: row.id} :
+                                      {moment: row.moment.id, method: row.id, against: '', pixel: ''});
 }
 
 function drawTable() {
@@ -92,28 +154,35 @@ function drawTable() {
   }
   const moment = shownMoment();
   if (!moment) return;
-  const withRatio = (columns) => moment.rows.some((row) => row.id === kBaseline) ? columns : columns.filter((c) => c.id !== "ratio");
+  const withRatio = (columns) =>
+      moment.rows.some((row) => row.id === kBaseline) ? columns : columns.filter((c) => c.id !== 'ratio');
   const leaves = rows.some((row) => row.frame.left_out.length);
-  const columns = withRatio(kColumns).filter((column) => column.id !== "left_out" || leaves);
+  const columns = withRatio(kColumns).filter((column) => column.id !== 'left_out' || leaves);
   const tables = isMean() ?
-      [tableOf(moment.rows, columns.filter((column) => !column.frames), timeUnit() === "×" ?
-          `Over all ${moments.length} frames: mean errors; times as geometric means of the ratio to ${kBaseline}` :
-          `Over all ${moments.length} frames: mean errors; geometric means of times`),
-       tableOf(rows, columns, "Every frame")] :
-      [tableOf(moment.rows, columns.filter((column) => column.id !== "frame"))];
+      [
+        tableOf(
+            moment.rows, columns.filter((column) => !column.frames),
+            timeUnit() === '×' ?
+                `Over all ${moments.length} frames: mean errors; times as geometric means of the ratio to ${
+                    kBaseline}` :
+                `Over all ${moments.length} frames: mean errors; geometric means of times`),
+        tableOf(rows, columns, 'Every frame')
+      ] :
+      [tableOf(moment.rows, columns.filter((column) => column.id !== 'frame'))];
   tables.forEach((table, i) => {
-    const before = $("tables").children[i];
+    const before = $('tables').children[i];
     if (!before) return;
     table.dataset.top = before.scrollTop;
     table.dataset.left = before.scrollLeft;
   });
-  const focused = document.activeElement?.closest?.("th")?.dataset.column;
-  $("tables").replaceChildren(...tables.flatMap((table, i) => i ? [element("br"), table] : [table]));
-  if (focused) $("tables").querySelector(`th[data-column="${focused}"] button`)?.focus();
-  document.documentElement.dataset.rows = tables.at(-1).querySelectorAll("tbody tr").length;
-  document.documentElement.dataset.firstRow = tables[0].querySelector("tbody td").textContent.trim();
+  const focused = document.activeElement?.closest?.('th')?.dataset.column;
+  $('tables').replaceChildren(...tables.flatMap((table, i) => i ? [element('br'), table] : [table]));
+  if (focused) $('tables').querySelector(`th[data-column="${focused}"] button`)?.focus();
+  document.documentElement.dataset.rows = tables.at(-1).querySelectorAll('tbody tr').length;
+  document.documentElement.dataset.firstRow = tables[0].querySelector('tbody td').textContent.trim();
 }
 
 drawers.push((changed) => {
-  if (!changed.size || ["sort", "down", "moment", "method", "x", "y"].some((name) => changed.has(name))) drawTable();
+  if (!changed.size || ['sort', 'down', 'moment', 'method', 'x', 'y'].some((name) => changed.has(name)))
+    drawTable();
 });
