@@ -33,8 +33,12 @@ endif()
 set(PLUME_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
 function(plume_embed_report_page output)
-  find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js /usr/share/nodejs/chart.js/dist REQUIRED
-            DOC "Chart.js 3, Debian's libjs-chart.js: the charts of report.html")
+  find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js /usr/share/nodejs/chart.js/dist
+            DOC "Chart.js 3: the charts of report.html")
+  if(NOT CHART_JS)
+    message(FATAL_ERROR "chart.min.js, version 3, is not there: install Debian's libjs-chart.js, as scripts/install.sh does, "
+                        "or say where it is with -DCHART_JS=PATH")
+  endif()
   file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/sandbox/report/page/*)
   list(APPEND files ${CHART_JS})
   add_custom_command(

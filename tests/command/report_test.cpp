@@ -46,6 +46,7 @@ class ReportTest : public ProgramTest {
                         "--headless",
                         "--no-sandbox",
                         "--disable-gpu",
+                        "--disable-dev-shm-usage",
                         "--hide-scrollbars",
                         "--host-resolver-rules=MAP * ~NOTFOUND",
                         "--enable-logging=stderr",

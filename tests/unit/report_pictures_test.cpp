@@ -15,18 +15,23 @@ class ReportPictures : public testing::Test {
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) / ("plume_report_" + std::to_string(::getpid()));
     fs::create_directories(folder_);
-    for (const char* name : {"a.png", "b.png"}) {
-      DisplayImage noise{640, 64, {}};
-      uint32_t state = uint8_t(*name);
-      for (int i = 0; i < 640 * 64; ++i) {
-        state = state * 1664525u + 1013904223u;
-        noise.pixels.push_back({uint8_t(state >> 24), uint8_t(state >> 16), uint8_t(state >> 8)});
-      }
-      write_png(folder_ / name, noise);
-    }
+    write_noise(1);
   }
   void TearDown() override { fs::remove_all(folder_); }
 
+  /// Squares of `side` pixels with a colour each.
+  void write_noise(int side) const {
+    for (const char* name : {"a.png", "b.png"}) {
+      DisplayImage noise{640, 64, {}};
+      for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 640; ++x) {
+          uint32_t state = uint32_t(x / side + 640 * (y / side) + *name * 65536);
+          for (int i = 0; i < 4; ++i) state = (state ^ state >> 15) * 0x2c1b3c6du;
+          noise.pixels.push_back({uint8_t(state >> 24), uint8_t(state >> 16), uint8_t(state >> 8)});
+        }
+      write_png(folder_ / name, noise);
+    }
+  }
   PagePictures taken(uint64_t most_bytes) const {
     return page_pictures(folder_, {"a.png", "gone.png", "b.png"}, most_bytes);
   }
@@ -66,6 +71,17 @@ TEST_F(ReportPictures, AreHalvedUntilTheyFit) {
   const DisplayImage half = decoded(pictures.all[0]);
   EXPECT_EQ(half.width, 320);
   EXPECT_EQ(half.height, 32);
+}
+
+TEST_F(ReportPictures, AreHalvedAgainWhereThatSavesLittle) {
+  write_noise(4);  // halved, it has as many colours as before
+  const uint64_t whole = taken(1 << 20).bytes(), half = taken(whole - 1).bytes();
+  ASSERT_LT(half, whole);
+  ASSERT_GT(half, whole / 3);
+  const PagePictures pictures = taken(half - 1);
+  EXPECT_EQ(pictures.divisor, 4);
+  EXPECT_EQ(pictures.left_out, 0u);
+  EXPECT_LT(pictures.bytes(), half);
 }
 
 TEST_F(ReportPictures, AreLeftOutRatherThanMadeTooSmallToSee) {

@@ -48,7 +48,11 @@ function drawPictures() {
       (exact ?
            '' :
            ' The exact picture is not among the results: add the method reference to the comparison to have it here.');
-  $('map_caption').textContent = shown.frame.error_map ?
+  const map = shown.frame.error_map;
+  $('map_frame').hidden = !pictureUrl(map);
+  $('map_caption').textContent = map && !pictureUrl(map) ?
+      `The map of where it differs had no room in this page: ${map}, beside results.json, is it.` :
+      map ?
       `FLIP against the exact reference, on the same scale everywhere: black is no difference, pale yellow another picture. Mean ${
           figure(shown.errors?.flip)}` +
           (shown.frame.error ?
