@@ -29,22 +29,28 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Where results go, and in what shape.
+struct OutputFlags {
+  std::string out = "out";
+  bool json = false;
+  uint64_t report_limit_mib = 64;
+};
+
 /// The flags that all drawing commands take.
-struct DrawFlags {
+struct DrawFlags : OutputFlags {
   std::string device, shaders;
   std::optional<glm::uvec2> size;
   std::optional<uint32_t> seed;
   Shard shard;
   std::vector<std::string> set, only;
-  bool list = false, isolate = false, as_job = false, resume = false, validate = false, json = false;
+  bool list = false, isolate = false, as_job = false, resume = false, validate = false;
   uint64_t memory_limit_mib = 0;
-  uint64_t report_limit_mib = 64;
-  std::string out = "out";
   const CLI::App* command = nullptr;  ///< whose flags these are
 };
 /// "640x360". Throws UsageError.
 glm::uvec2 parse_size(const std::string& text);
 
+void add_output_flags(CLI::App& command, OutputFlags& flags, const std::string& group);
 /// Those that say what is drawn, and on what.
 void add_picture_flags(CLI::App& command, DrawFlags& flags);
 /// Those, and the ones that say which frames and where they go.
@@ -78,7 +84,7 @@ void warn(const std::string& text);
 int report_validation(const gpu::Device& device);
 
 /// Writes report.html into the folder that has the pictures; prints the table, or JSON.
-void print_results(const Results& results, const std::filesystem::path& folder, bool as_json);
+void print_results(const Results& results, const OutputFlags& flags);
 
 /// Measures, writes the report, prints the table or JSON; the common end of `compare` and `replay`.
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags);

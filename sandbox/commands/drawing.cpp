@@ -112,18 +112,22 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
       .add_flag("--resume", flags.resume,
                 "keep the frames in --out and draw what is missing; scenes, scripts and flags as before")
       ->group(kThisRun);
+  add_output_flags(command, flags, kThisRun);
+}
+
+void add_output_flags(CLI::App& command, OutputFlags& flags, const std::string& group) {
   command.add_flag("--json", flags.json, "print results.json on standard output instead of a table")
-      ->group(kThisRun);
+      ->group(group);
   command
       .add_option("--report-limit", flags.report_limit_mib,
                   "MiB that report.html may have: pictures in it are made smaller to fit")
       ->check(CLI::Range(1, 1 << 10))
       ->capture_default_str()
-      ->group(kThisRun);
+      ->group(group);
   command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
       ->capture_default_str()
       ->check([](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; })
-      ->group(kThisRun);
+      ->group(group);
 }
 
 std::vector<MethodRun> method_runs(const std::vector<std::string>& names) {
@@ -201,10 +205,10 @@ int report_validation(const gpu::Device& device) {
   return messages.empty() ? kDone : kToleranceExceeded;
 }
 
-void print_results(const Results& results, const std::filesystem::path& folder, bool as_json) {
-  const std::filesystem::path report = folder / "report.html";
-  write_report(report, results);
-  if (as_json)
+void print_results(const Results& results, const OutputFlags& flags) {
+  const std::filesystem::path report = std::filesystem::path(flags.out) / "report.html";
+  write_report(report, results, flags.report_limit_mib << 20);
+  if (flags.json)
     fmt::print("{}\n", to_json(results).dump(2));
   else
     fmt::print("{}report: {}\n", to_table(results), report.string());
@@ -227,7 +231,6 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
   }
   apply_settings(flags.set, replays);
 
-<<<<<<< HEAD
   const Plan plan = make_plan(library, std::move(replays), flags.shaders);
   const Selection selection = select_jobs(plan, flags.shard, flags.only);
   const std::vector<std::string> arguments = asked_arguments(*flags.command);
@@ -237,21 +240,6 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
                flags.json ? job_list(plan, selection, command).dump(2) + "\n" : job_table(plan, selection));
     return kDone;
   }
-=======
-  std::signal(SIGINT, [](int) {
-    g_interrupted = 1;
-    std::signal(SIGINT, SIG_DFL);  // who asks twice does not want to wait for the frame
-  });
-  GpuSession session(flags);
-  Progress progress;
-  const Results results = measure(session.device, session.pipelines, library, replays,
-                                  {.out = flags.out,
-                                   .resume = flags.resume,
-                                   .shard = flags.shard,
-                                   .progress = std::ref(progress),
-                                   .interrupted = [] { return g_interrupted != 0; }});
-  write_report(std::filesystem::path(flags.out) / "report.html", results, flags.report_limit_mib << 20);
->>>>>>> 9746f2c (report: Let nothing be loaded from elsewhere; tests: Open the report in headless Chromium)
 
   heed_interruptions();
   Progress progress;
@@ -260,7 +248,7 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
   if (flags.isolate) {
     Manifest manifest = manifest_of(plan, command, flags);
     const IsolatedRun run = measure_isolated(plan, options, arguments, manifest);
-    print_results(manifest.results(), flags.out, flags.json);
+    print_results(manifest.results(), flags);
     if (run.failed > 0)
       warn(fmt::format("{} of {} jobs failed, the others are kept: --resume tries again", run.failed,
                        plan.jobs));
@@ -269,7 +257,7 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
   GpuSession session(flags);
   Manifest manifest = manifest_of(plan, command, flags);
   measure(session.device, session.pipelines, library, plan, options, manifest);
-  if (!flags.as_job) print_results(manifest.results(), flags.out, flags.json);
+  if (!flags.as_job) print_results(manifest.results(), flags);
   return report_validation(session.device);
 }
 
