@@ -1,5 +1,7 @@
 #include "sandbox/report/report.h"
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "renderer/methods/methods.h"
@@ -75,11 +77,31 @@ std::vector<std::string> picture_files(const Results& results) {
   return files;
 }
 
-/// What the page reads: results.json as it is, and what it cannot know.
+/// Six digits of every number, which is what eyes can use; results.json has the others.
+void round_numbers(json& value) {
+  if (value.is_structured())
+    for (json& part : value) round_numbers(part);
+  else if (value.is_number_float())
+    value = std::stod(fmt::format("{:.6g}", value.get<double>()));
+}
+
+/// results.json without what the page does not show.
+json shown_results(const Results& results) {
+  json shown = to_json(results);
+  for (json& frame : shown["frames"]) {
+    for (const char* name : {"settings", "statistics"}) frame.erase(name);
+    for (json& pass : frame["passes"])
+      pass = {{"name", pass["name"]}, {"median_ms", pass["median_ms"]}, {"samples", pass["samples"]}};
+  }
+  round_numbers(shown);
+  return shown;
+}
+
+/// What the page reads: results.json, and what that cannot know.
 json page_data(const Results& results, const PagePictures& pictures) {
   json changed = json::array();
   for (const FrameResult& frame : results.frames) changed.push_back(changed_settings(frame));
-  return {{"results", to_json(results)},
+  return {{"results", shown_results(results)},
           {"changed_settings", changed},
           {"methods", methods_of(results)},
           {"passes", passes_of(results)},
@@ -127,10 +149,12 @@ std::string filled(std::string_view page, const std::string& data, const std::st
 }  // namespace
 
 void write_report(const std::filesystem::path& path, const Results& results, uint64_t most_bytes) {
-  uint64_t fixed = script_json(to_json(results)).size();
+  uint64_t fixed = script_json(page_data(results, {})).size();
   for (const PageFile& file : page_files()) fixed += file.text.size();
+  const std::vector<std::string> files = picture_files(results);
+  for (const std::string& file : files) fixed += file.size() + 64;  // its element
   const PagePictures pictures =
-      page_pictures(path.parent_path(), picture_files(results), most_bytes > fixed ? most_bytes - fixed : 0);
+      page_pictures(path.parent_path(), files, most_bytes > fixed ? most_bytes - fixed : 0);
   const std::string page =
       filled(page_file("page.html"), script_json(page_data(results, pictures)), picture_elements(pictures));
   write_file(path, {reinterpret_cast<const uint8_t*>(page.data()), page.size()});

@@ -121,19 +121,22 @@ function makeSlider() {
       box.style.setProperty('--zoom', zoom);
       box.style.maxHeight = zoom > 1 ? `${box.clientWidth * 9 / 16}px` : '';
     }
-    move(Number($('split').value));
+    fit();
   });
   for (const box of boxes)  // both pictures show the same place
     box.addEventListener('scroll', () => boxes.filter((other) => other !== box).forEach((other) => {
       if (other.scrollLeft !== box.scrollLeft) other.scrollLeft = box.scrollLeft;
       if (other.scrollTop !== box.scrollTop) other.scrollTop = box.scrollTop;
     }));
-  for (const image of document.querySelectorAll('.stage img'))
-    image.addEventListener('load', () => {
-      const grown = image.clientWidth / image.naturalWidth;
-      image.style.setProperty('--rendering', grown >= 2 ? 'pixelated' : 'auto');
-      move(Number($('split').value));
-    });
+  const images = [...document.querySelectorAll('.stage img')];
+  const fit = () => {  // pixels that are seen one by one stay squares
+    for (const image of images)
+      image.style.setProperty(
+          '--rendering', image.clientWidth >= 2 * image.naturalWidth ? 'pixelated' : 'auto');
+    move(Number($('split').value));
+  };
+  for (const image of images) image.addEventListener('load', fit);
+  addEventListener('resize', fit);
   const {count, bytes, divisor, left_out: leftOut} = input.pictures;
   $('pictures_note').textContent = `${count - leftOut} pictures, ${bytesText(bytes)} of this file.` +
       (divisor > 1 ?
