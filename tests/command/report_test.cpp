@@ -94,17 +94,16 @@ testing::AssertionResult tells(const std::string& dom, const std::vector<std::st
 }
 
 TEST_F(ReportTest, ShowsEveryFrameWithoutNetworkOrErrors) {
-  ASSERT_NO_FATAL_FAILURE(compare({"compare", "quads_mcguire", "street", "--size", "96x54", "--frames", "2",
+  ASSERT_NO_FATAL_FAILURE(compare({"compare", "quads_mcguire", "grenade", "--size", "64x36", "--frames", "1",
                                    "--methods", "reference,sorted,wboit,avboit"}));
   // Over all scenes first, since there are several: a mark and a bar a method, and a row a frame.
   const std::string all = open("");
   EXPECT_TRUE(tells(all, {"data-ready=\"yes\"", "data-errors=\"0\"", "data-points=\"4\"", "data-bars=\"4\"",
                           "data-rows=\"8\"", "data-shown=\"avboit | reference\""}));
-  EXPECT_TRUE(
-      says(all, {"reference", "worth their time", "exact", "grenade_left", "has the method's default"}));
+  EXPECT_TRUE(says(all, {"reference", "worth their time", "exact", "● awake", "has the method's default"}));
 
   const std::string picture = (kept_pictures() / "report.png").string();
-  open("moment=street@400&y=flip&x=own&sort=rmse&down=1",
+  open("moment=grenade@430&y=flip&x=own&sort=rmse&down=1",
        {"--window-size=1280,3200", "--screenshot=" + picture});
   const DisplayImage seen = read_png(picture);
   EXPECT_EQ(seen.width, 1280);
