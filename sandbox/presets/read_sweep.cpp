@@ -19,12 +19,14 @@ constexpr size_t kMaxSweeps = 1'000, kMaxScenes = 1'000, kMaxSizes = 1'000, kMax
 constexpr double kMaxJobs = 100'000;
 constexpr Limits kSeed{0, UINT32_MAX};
 
-/// The value as the method has it, so that 1 and 1.0 are the same; null when it does not take it.
-nlohmann::json taken(Method& method, const Setting& setting, TableReader& table) try {
+/// The value as the method has it, so that 1 and 1.0 are the same; null when it does not take it. `said`: the
+/// mistake before, since that a parameter is not known is said once for all of its values.
+nlohmann::json taken(Method& method, const Setting& setting, TableReader& table, std::string& said) try {
   set_parameter(method, setting.key, setting.value);
   return parameter_values(method).at(setting.key);
 } catch (const ParameterError& error) {
-  table.report(setting.position, error.what());
+  if (said != error.what()) table.report(setting.position, error.what());
+  said = error.what();
   return nullptr;
 }
 
@@ -39,8 +41,9 @@ MethodSpan read_span(TableReader& table) {
     return span;
   }
   std::set<std::pair<std::string, nlohmann::json>> known;
+  std::string said;
   for (const Setting& setting : settings) {
-    const nlohmann::json value = taken(*method, setting, table);
+    const nlohmann::json value = taken(*method, setting, table, said);
     if (value.is_null()) continue;
     if (!known.insert({setting.key, value}).second)
       table.report(setting.position, fmt::format("`{}` is {} twice, expected each value once", setting.key,

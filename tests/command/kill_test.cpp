@@ -38,8 +38,9 @@ TEST_F(KillTest, TenTimesAtRandomLeaveTheSameBytes) {
   EXPECT_EQ(without_times(results()), without_times(results("whole")));
   EXPECT_EQ(files(), files("whole"));  // no half of a file either
   for (const std::string& file : files())
-    if (file.ends_with(".png") || file.ends_with(".exr"))
-      EXPECT_EQ(read("out/" + file), read("whole/" + file));
+    if (file.ends_with(".png") || file.ends_with(".exr")) {
+      EXPECT_EQ(read("out/" + file), read("whole/" + file)) << file;
+    }
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ TEST_F(ResumeTest, WhatOneJobLeavesDependsOnNoOther) {
   // Methods whose memory grows with what they met, and effects whose ticks could be stepped.
   play("[40, 41, 400]", "[[method]]\nid = 'linked_list'\n[[method]]\nid = 'avboit'\n");
   ASSERT_EQ(replay({"--out", "whole"}).exit_code, 0);
-  for (const json& frame : results("whole")["frames"])
+  const json whole = results("whole");
+  for (const json& frame : whole["frames"])
     ASSERT_EQ(replay({"--resume", "--only", frame["job"]}).exit_code, 0);
   EXPECT_EQ(without_times(results()), without_times(results("whole")));
   EXPECT_EQ(pictures(), pictures("whole"));
