@@ -36,9 +36,9 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
   for (const json& frame : all["frames"]) {
     SCOPED_TRACE(frame.dump());
     methods.push_back(frame["method"]);
-    EXPECT_EQ(keys(frame), (Names{"error", "error_map", "gpu_ms", "image", "left_out", "memory_bytes",
-                                  "method", "passes", "scene", "settings", "shot", "size", "statistics",
-                                  "status", "tick", "transparency_ms"}));
+    EXPECT_EQ(keys(frame), (Names{"error", "error_map", "gpu_ms", "hdr", "image", "job", "left_out",
+                                  "memory_bytes", "method", "passes", "scene", "seed", "settings", "shot",
+                                  "size", "statistics", "status", "tick", "transparency_ms"}));
     EXPECT_EQ(frame["scene"], "street");
     EXPECT_EQ(frame["tick"], 400);
     EXPECT_EQ(frame["size"], json::parse("[96, 54]"));

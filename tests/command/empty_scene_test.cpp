@@ -13,7 +13,7 @@ TEST_F(EmptySceneTest, IsComparedWithoutErrorAndWithoutInstances) {
   const json all = results();
   ASSERT_EQ(all["frames"].size(), 4u);
   for (const json& frame : all["frames"]) EXPECT_EQ(frame["error"]["rmse"], 0.0) << frame["method"];
-  EXPECT_TRUE(all["demand"]["instances"].empty());
+  EXPECT_TRUE(all["moments"][0]["demand"]["instances"].empty());
 }
 
 TEST_F(EmptySceneTest, IsReplayedAndProbed) {
