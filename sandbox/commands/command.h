@@ -10,6 +10,7 @@
 
 #include "renderer/gpu/pipelines.h"
 #include "sandbox/commands/kept_pipelines.h"
+#include "sandbox/commands/regression.h"
 #include "sandbox/measure/measurement.h"
 #include "sandbox/presets/library.h"
 
@@ -43,6 +44,9 @@ struct DrawFlags : OutputFlags {
   std::optional<uint32_t> seed;
   Shard shard;
   std::vector<std::string> set, only;
+  BaselineFlags baseline;
+  std::vector<glm::uvec2> pixels;  ///< beside those that replays mark
+  bool sensitivity = false;        ///< each parameter of each method is moved
   bool list = false, isolate = false, as_job = false, resume = false, validate = false;
   uint64_t memory_limit_mib = 0;
   const CLI::App* command = nullptr;  ///< whose flags these are

@@ -44,6 +44,9 @@ void add_compare(CLI::App& program, Run& run) {
   command->add_option("--frames", flags->frames, "timed repetitions of each method")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
+  command->add_flag("--sensitivity", flags->sensitivity,
+                    "move each parameter of each method alone, and tell which buys most accuracy per "
+                    "millisecond; writes no pictures");
   add_draw_flags(*command, *flags);
   command->callback([flags, &run] { run = [flags] { return run_compare(*flags); }; });
 }

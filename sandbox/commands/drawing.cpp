@@ -1,6 +1,7 @@
 // The flags of drawing commands and their common end.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,8 @@
 #include "sandbox/commands/isolated.h"
 #include "sandbox/commands/job_list.h"
 #include "sandbox/commands/progress.h"
+#include "sandbox/measure/sensitivity.h"
+#include "sandbox/measure/times_alike.h"
 #include "sandbox/report/report.h"
 
 namespace plume {
@@ -31,6 +34,42 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   const size_t at = text.find(separator);
   if (at == std::string::npos) return std::nullopt;
   return std::pair{text.substr(0, at), text.substr(at + 1)};
+}
+
+/// "X,Y". Throws UsageError.
+glm::uvec2 parse_pixel(const std::string& text) {
+  const auto parts = split(text, ',');
+  const auto x = parts ? parse_number(parts->first) : std::nullopt;
+  const auto y = parts ? parse_number(parts->second) : std::nullopt;
+  if (!x || !y)
+    throw UsageError(
+        fmt::format("--pixel {}: expected X,Y from the upper left, from 0, such as 320,180", text));
+  return {*x, *y};
+}
+
+void prepare_sensitivity(std::vector<Replay>& replays) {
+  for (Replay& replay : replays) {
+    if (replay.frames < kSamplesToTellApart)
+      throw UsageError(
+          fmt::format("--sensitivity: {} repetitions tell no times apart, expected --frames {} or more",
+                      replay.frames, kSamplesToTellApart));
+    add_moved_parameters(replay);
+    replay.capture.images = replay.capture.error_maps = false;  // a picture for each would be too many
+  }
+}
+
+/// --size and shots have sizes of their own.
+void refuse_pixels_outside(const std::vector<Replay>& replays) {
+  for (const Replay& replay : replays) {
+    std::vector<glm::uvec2> sizes(replay.ticks.empty() ? 0 : 1, replay.size);
+    for (const Shot& shot : replay.shots)
+      sizes.push_back(shot.size == glm::uvec2(0) ? replay.size : shot.size);
+    for (const glm::uvec2 pixel : replay.capture.pixels)
+      for (const glm::uvec2 size : sizes)
+        if (pixel.x >= size.x || pixel.y >= size.y)
+          throw UsageError(fmt::format("{}: pixel {},{} is marked, but a picture of {}x{} ends at {},{}",
+                                       replay.id, pixel.x, pixel.y, size.x, size.y, size.x - 1, size.y - 1));
+  }
 }
 
 Shard parse_shard(const std::string& text) {
@@ -81,6 +120,15 @@ void add_picture_flags(CLI::App& command, DrawFlags& flags) {
 void add_draw_flags(CLI::App& command, DrawFlags& flags) {
   flags.command = &command;
   add_picture_flags(command, flags);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--pixel",
+          [&flags](const std::vector<std::string>& texts) {
+            flags.pixels.clear();
+            for (const std::string& text : texts) flags.pixels.push_back(parse_pixel(text));
+          },
+          "X,Y, repeatable: keep each method's transmittance over depth there, and the exact one")
+      ->allow_extra_args(false);
   command.add_flag("--list", flags.list, "print the jobs, each with its id, and draw nothing")
       ->group(kThisRun);
   command.add_option("--only", flags.only, "JOB of --list: draw this one alone; may be given again")
@@ -112,6 +160,7 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
       .add_flag("--resume", flags.resume,
                 "keep the frames in --out and draw what is missing; scenes, scripts and flags as before")
       ->group(kThisRun);
+  add_baseline_flags(command, flags.baseline, kThisRun);
   add_output_flags(command, flags, kThisRun);
 }
 
@@ -208,10 +257,13 @@ int report_validation(const gpu::Device& device) {
 void print_results(const Results& results, const OutputFlags& flags) {
   const std::filesystem::path report = std::filesystem::path(flags.out) / "report.html";
   write_report(report, results, flags.report_limit_mib << 20);
+  for (const Note& note : results.notes) warn(note.text);
   if (flags.json)
     fmt::print("{}\n", to_json(results).dump(2));
   else
-    fmt::print("{}report: {}\n", to_table(results), report.string());
+    fmt::print("{}{}report: {}\n", to_table(results),
+               results.sensitivity.is_null() ? times_alike(results) : to_table(parameter_changes(results)),
+               report.string());
 }
 
 namespace {
@@ -222,14 +274,28 @@ Manifest manifest_of(const Plan& plan, const std::string& command, const DrawFla
   return manifest;
 }
 
+/// What there is to say once all is drawn; gives the exit code of it.
+int conclude(Results results, const std::optional<Results>& baseline, const DrawFlags& flags) {
+  if (flags.as_job) return kDone;
+  if (flags.sensitivity) {
+    results.sensitivity = to_json(parameter_changes(results));
+    write_results(flags.out, results);
+  }
+  print_results(results, flags);
+  return baseline ? report_baseline(flags.baseline, *baseline, results, flags.json) : kDone;
+}
+
 }  // namespace
 
 int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library, const DrawFlags& flags) {
   for (Replay& replay : replays) {
     if (flags.size) replay.size = *flags.size;
     if (flags.seed) replay.seed = flags.seed;
+    std::ranges::copy(flags.pixels, std::back_inserter(replay.capture.pixels));
   }
+  refuse_pixels_outside(replays);
   apply_settings(flags.set, replays);
+  if (flags.sensitivity) prepare_sensitivity(replays);
 
   const Plan plan = make_plan(library, std::move(replays), flags.shaders);
   const Selection selection = select_jobs(plan, flags.shard, flags.only);
@@ -240,6 +306,8 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
                flags.json ? job_list(plan, selection, command).dump(2) + "\n" : job_table(plan, selection));
     return kDone;
   }
+  const auto baseline =
+      read_baseline(flags.baseline, plan.replays, flags.shard.count == 1 && flags.only.empty());
 
   heed_interruptions();
   Progress progress;
@@ -248,17 +316,17 @@ int measure_and_report(std::vector<Replay> replays, const PresetLibrary& library
   if (flags.isolate) {
     Manifest manifest = manifest_of(plan, command, flags);
     const IsolatedRun run = measure_isolated(plan, options, arguments, manifest);
-    print_results(manifest.results(), flags);
+    const int verdict = conclude(manifest.results(), baseline, flags);
     if (run.failed > 0)
       warn(fmt::format("{} of {} jobs failed, the others are kept: --resume tries again", run.failed,
                        plan.jobs));
-    return run.failed > 0 ? kDeviceFailed : run.messages ? kToleranceExceeded : kDone;
+    return run.failed > 0 ? kDeviceFailed : run.messages ? kToleranceExceeded : verdict;
   }
   GpuSession session(flags);
   Manifest manifest = manifest_of(plan, command, flags);
   measure(session.device, session.pipelines, library, plan, options, manifest);
-  if (!flags.as_job) print_results(manifest.results(), flags);
-  return report_validation(session.device);
+  const int verdict = conclude(manifest.results(), baseline, flags);
+  return std::max(verdict, report_validation(session.device));
 }
 
 }  // namespace plume

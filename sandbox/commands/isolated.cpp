@@ -4,10 +4,12 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <thread>
 
 #include "renderer/gpu/errors.h"
 #include "sandbox/commands/child.h"
 #include "sandbox/commands/command.h"
+#include "sandbox/measure/machine_load.h"
 
 namespace plume {
 namespace {
@@ -44,6 +46,8 @@ class Isolation {
         if (options_.interrupted && options_.interrupted()) throw Interrupted();
         run_job(plan_.moments[m], job);
       }
+    if (headway_.drawn > 0)
+      manifest_.set_notes(load_notes(load_before_, read_machine_load(), std::thread::hardware_concurrency()));
     manifest_.write(Manifest::When::kNow);
     return outcome_;
   } catch (...) {
@@ -120,6 +124,7 @@ class Isolation {
   const MeasurementOptions& options_;
   const std::vector<std::string>& arguments_;
   Manifest& manifest_;
+  const MachineLoad load_before_ = read_machine_load();
   fs::path folder_;  // of what is being drawn
   Headway headway_;
   IsolatedRun outcome_;

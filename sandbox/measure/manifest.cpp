@@ -64,6 +64,7 @@ void Manifest::go_on() {
     moments_[job] = std::move(moment);
   }
   head_.environment = std::move(before.environment);
+  head_.notes = earlier_notes_ = std::move(before.notes);
   remove_abandoned(folder_);
 }
 
@@ -74,6 +75,10 @@ void Manifest::set_environment(const json& environment) {
           "{} was measured with {} {}, this is {}: leave out --resume or choose another --out",
           (folder_ / "results.json").string(), other->name, other->first.dump(), other->second.dump()));
   head_.environment = environment;
+}
+
+void Manifest::set_notes(std::vector<Note> notes) {
+  head_.notes = joined(earlier_notes_, std::move(notes));
 }
 
 bool Manifest::is_done(const Moment& moment, size_t job) const {

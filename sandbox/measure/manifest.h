@@ -25,6 +25,9 @@ class Manifest {
   /// things.
   void set_environment(const nlohmann::json& environment);
 
+  /// What makes times of this run doubtful, beside what was noted of those taken over.
+  void set_notes(std::vector<Note> notes);
+
   /// Whether nothing is left to be drawn of it: its result is known and its files are there.
   bool is_done(const Moment& moment, size_t job) const;
   /// Of these jobs, those that are not done.
@@ -43,6 +46,7 @@ class Manifest {
   const Plan& plan_;
   std::filesystem::path folder_;
   Results head_;                                    // without frames and moments
+  std::vector<Note> earlier_notes_;                 // of a run that this one goes on from
   std::vector<std::optional<FrameResult>> frames_;  // of each job
   std::map<size_t, MomentResult> moments_;          // by their first job
   using Clock = std::chrono::steady_clock;

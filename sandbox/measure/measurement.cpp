@@ -12,10 +12,13 @@
 #include "sandbox/measure/error_map.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/flip.h"
+#include "sandbox/measure/frame_probe.h"
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/inspector.h"
+#include "sandbox/measure/machine_load.h"
 #include "sandbox/measure/metrics.h"
 #include "sandbox/measure/picture.h"
+#include "sandbox/measure/repetitions.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/stage.h"
 
@@ -33,6 +36,7 @@ struct Contender {
   std::vector<std::vector<gpu::PassTime>> samples;
   std::vector<double> transparency_ms;  // of the same drawings
   std::optional<DrawnPicture> picture;
+  json probes = json::array();
   std::optional<DisplayImage> view;  // in its place
 };
 
@@ -56,7 +60,7 @@ void summarise_passes(const std::vector<std::vector<gpu::PassTime>>& samples, Fr
     for (const gpu::PassTime& pass : sample) total += pass.ms;
     totals.push_back(total);
   }
-  frame.gpu_ms = summarise(totals).median;
+  frame.gpu_ms = summarise(totals);
   for (size_t p = 0; p < samples.front().size(); ++p) {
     std::vector<double> times;
     for (const auto& sample : samples) times.push_back(sample[p].ms);
@@ -71,9 +75,11 @@ json demand_json(const Stage& stage) {
 }
 
 json environment_of(const gpu::Device& device) {
+  const Processor processor = read_processor();
   return {{"device", device.info().name}, {"driver", device.info().driver},
           {"api", device.info().api},     {"build", build_name()},
-          {"commit", build_commit()},     {"threads", std::thread::hardware_concurrency()}};
+          {"commit", build_commit()},     {"threads", std::thread::hardware_concurrency()},
+          {"cpu", processor.name},        {"cores", processor.cores}};
 }
 
 class Measurement {
@@ -167,7 +173,10 @@ class Measurement {
     const Replay& replay = plan_.replays[moment.replay];
     std::vector<Contender> contenders = contenders_of(moment, jobs);
     const DrawnPicture reference = draw_reference(stage, targets);
-    draw_contenders(replay, stage, targets, contenders);
+    const std::span<const glm::uvec2> pixels = replay.capture.pixels;
+    const auto marked = probe_marked(device_, pipelines_, stage, targets,
+                                     is_captured(replay.capture, moment.tick) ? pixels : pixels.first(0));
+    draw_contenders(replay, stage, targets, contenders, marked);
     if (!moment.view.id.empty()) look_at(moment.view, stage, targets, contenders.front());
     for (size_t i = 0; i < jobs.size(); ++i) {
       record(contenders[i], reference);
@@ -181,6 +190,7 @@ class Measurement {
                               .width = moment.size.x,
                               .height = moment.size.y,
                               .demand = demand_json(stage)});
+    take_notes();
     manifest_.write(Manifest::When::kSparingly);
     ++headway_.done, ++headway_.drawn;
     tell(fmt::format("{} tick {}", moment.scene, moment.tick));
@@ -195,20 +205,32 @@ class Measurement {
 
   /// Repetitions of all methods in turn, so that a drift of the machine's speed meets them alike.
   void draw_contenders(const Replay& replay, const Stage& stage, const Targets& targets,
-                       std::span<Contender> contenders) {
+                       std::span<Contender> contenders, std::span<const PixelProbe> marked) {
+    std::vector<double> repetitions_ms;  // of all
     for (uint32_t repetition = 0; repetition < replay.warmup + replay.frames; ++repetition)
-      for (Contender& c : contenders) {
+      for (size_t turn = 0; turn < contenders.size(); ++turn) {
+        Contender& c = contenders[whose_turn(turn, contenders.size(), repetition)];
         if (!c.missing.empty()) continue;
         stop_if_interrupted();
         auto report =
             render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
         c.left_out = std::move(report.left_out);
         if (repetition >= replay.warmup) {
+          repetitions_ms.resize(repetition - replay.warmup + 1);
+          repetitions_ms.back() += report.transparency_ms;
           c.samples.push_back(std::move(report.passes));
           c.transparency_ms.push_back(report.transparency_ms);
         }
-        if (!c.picture) c.picture = read_picture(device_, targets);
+        if (c.picture) continue;
+        c.picture = read_picture(device_, targets);
+        c.probes = frame_probes(device_, pipelines_, stage, targets, c.instance, marked);
       }
+    if (const auto ratio = drift(repetitions_ms))
+      drifts_.push_back(
+          {"drift",
+           fmt::format("At {} tick {} the later half of the repetitions took {:.2f} times as long as "
+                       "the earlier: a clock or a load changed.",
+                       stage.scene().id, stage.simulation().tick(), *ratio)});
   }
 
   /// Times and errors stay those of the picture.
@@ -235,7 +257,8 @@ class Measurement {
       return;
     }
     summarise_passes(contender.samples, frame);
-    frame.transparency_ms = summarise(contender.transparency_ms).median;
+    frame.transparency_ms = summarise(contender.transparency_ms);
+    frame.probes = contender.probes;
     frame.statistics = contender.instance.method->statistics(device_, contender.instance.resources);
     frame.left_out = contender.left_out;
     frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
@@ -248,12 +271,21 @@ class Measurement {
     if (!frame.hdr.empty()) write_exr(out / frame.hdr, contender.picture->linear);
   }
 
+  void take_notes() {
+    std::vector<Note> notes = drifts_;
+    std::ranges::move(load_notes(load_before_, read_machine_load(), std::thread::hardware_concurrency()),
+                      std::back_inserter(notes));
+    manifest_.set_notes(std::move(notes));
+  }
+
   gpu::Device& device_;
   gpu::Pipelines& pipelines_;
   const PresetLibrary& library_;
   const Plan& plan_;
   const MeasurementOptions& options_;
   Manifest& manifest_;
+  const MachineLoad load_before_ = read_machine_load();
+  std::vector<Note> drifts_;
   MethodInstance reference_;
   Inspector inspector_;
   Selection left_;  // to be drawn

@@ -1,12 +1,16 @@
 #include "sandbox/measure/merge.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/manifest.h"
+#include "sandbox/measure/sensitivity.h"
 #include "sandbox/measure/without_times.h"
 
 namespace plume {
@@ -40,6 +44,14 @@ void require_one_environment(const Part& first, const Part& part) {
         fmt::format("{} was measured with {} {}, {} with {}: their numbers do not stand side by side",
                     file_of(first).string(), other->name, other->first.dump(), file_of(part).string(),
                     other->second.dump()));
+}
+
+/// A device that is a GPU may stand in different machines; a CPU may not.
+std::optional<std::string> differing_processors(const std::vector<Part>& parts) {
+  std::set<std::string> names;
+  for (const Part& part : parts) names.insert(part.results.environment.value("cpu", ""));
+  if (names.size() < 2) return std::nullopt;
+  return fmt::format("Parts were drawn on different processors: {}.", fmt::join(names, ", "));
 }
 
 std::vector<std::string> files_of(const FrameResult& frame) {
@@ -120,6 +132,9 @@ Results merge(const std::vector<fs::path>& folders, const fs::path& out) {
   require_all(all.order, drawn);
   std::map<std::string, MomentResult> moments = moments_of(parts);
   all.frames.clear(), all.moments.clear();
+  for (const Part& part : parts) all.notes = joined(std::move(all.notes), part.results.notes);
+  if (const auto processors = differing_processors(parts))
+    all.notes = joined(std::move(all.notes), {{"processors", *processors}});
 
   std::error_code failure;
   fs::create_directories(out, failure);
@@ -131,6 +146,7 @@ Results merge(const std::vector<fs::path>& folders, const fs::path& out) {
     all.frames.push_back(*found.frame);
     if (const auto moment = moments.find(job); moment != moments.end()) all.moments.push_back(moment->second);
   }
+  if (!all.sensitivity.is_null()) all.sensitivity = to_json(parameter_changes(all));
   write_results(out, all);
   return all;
 }

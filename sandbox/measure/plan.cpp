@@ -46,7 +46,7 @@ std::string id_of(const Moment& moment, const MethodRun& run, Differences differ
 Job job_of(const Replay& replay, const Moment& moment, size_t method, Differences differ) {
   Job job{.id = id_of(moment, replay.methods[method], differ), .method = method};
   const Capture& capture = replay.capture;
-  if (!capture.ticks.empty() && !std::ranges::binary_search(capture.ticks, moment.tick)) return job;
+  if (!is_captured(capture, moment.tick)) return job;
   if (capture.images) job.image = job.id + ".png";
   if (capture.error_maps) job.error_map = job.id + "_error.png";
   if (capture.hdr) job.hdr = job.id + ".exr";
@@ -102,10 +102,11 @@ json camera_json(const CameraKey& key) {
 
 /// What a replay adds to its jobs' ids and its scenes' presets.
 json decisions(const Replay& replay) {
-  json camera = json::array(), methods = json::array();
+  json camera = json::array(), methods = json::array(), pixels = json::array();
   for (const CameraKey& key : replay.camera) camera.push_back(camera_json(key));
   for (const MethodRun& run : replay.methods) methods.push_back({run.id, run.settings});
-  return {replay.frames, replay.warmup, camera, methods};
+  for (const glm::uvec2 pixel : replay.capture.pixels) pixels.push_back({pixel.x, pixel.y});
+  return {replay.frames, replay.warmup, camera, methods, pixels};
 }
 
 json decisions(const Moment& moment) {

@@ -51,6 +51,21 @@ std::string csv_field(const std::string& text) {
   return out + '"';
 }
 
+/// The median under `name`, and what else is known of these times beside it.
+void add_times(json& to, const std::string& name, const Summary& times) {
+  to[name] = times.median;
+  to[name + "_p95"] = times.p95;
+  to[name + "_interval"] = {times.low, times.high};
+}
+
+Summary times_from(const json& from, const std::string& name) {
+  return {.median = from.at(name),
+          .p95 = from.at(name + "_p95"),
+          .low = from.at(name + "_interval").at(0),
+          .high = from.at(name + "_interval").at(1),
+          .samples = from.at("samples")};
+}
+
 FrameResult frame_from_json(const json& from) {
   FrameResult frame;
   frame.job = from.at("job");
@@ -68,13 +83,15 @@ FrameResult frame_from_json(const json& from) {
                             {.median = pass.at("median_ms"),
                              .p95 = pass.at("p95_ms"),
                              .min = pass.at("min_ms"),
+                             .low = pass.at("interval_ms").at(0),
+                             .high = pass.at("interval_ms").at(1),
                              .samples = pass.at("samples")},
                             {}});
   for (size_t i = 0; i < frame.passes.size(); ++i)
     if (const json& count = from.at("passes")[i].at("fragments"); !count.is_null())
       frame.passes[i].fragments = count.get<uint64_t>();
-  frame.gpu_ms = from.at("gpu_ms");
-  frame.transparency_ms = from.at("transparency_ms");
+  frame.gpu_ms = times_from(from, "gpu_ms");
+  frame.transparency_ms = times_from(from, "transparency_ms");
   frame.memory_bytes = from.at("memory_bytes");
   frame.left_out = from.at("left_out");
   if (const json& error = from.at("error"); !error.is_null())
@@ -86,6 +103,7 @@ FrameResult frame_from_json(const json& from) {
                    .max_x = error.at("max_at").at(0),
                    .max_y = error.at("max_at").at(1)};
   frame.statistics = from.at("statistics");
+  frame.probes = from.at("probes");
   frame.image = text_of(from.at("image"));
   frame.error_map = text_of(from.at("error_map"));
   frame.hdr = text_of(from.at("hdr"));
@@ -116,6 +134,12 @@ bool is_settled(const FrameResult& frame) {
   return !frame.status.starts_with("failed");
 }
 
+std::vector<Note> joined(std::vector<Note> notes, std::vector<Note> more) {
+  for (Note& note : more)
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+  return notes;
+}
+
 json changed_settings(const FrameResult& frame) {
   const auto method = make_method(frame.method);
   const json defaults = method ? parameter_values(*method) : json::object();
@@ -132,6 +156,7 @@ json to_json(const FrameResult& frame) {
                       {"median_ms", pass.ms.median},
                       {"p95_ms", pass.ms.p95},
                       {"min_ms", pass.ms.min},
+                      {"interval_ms", {pass.ms.low, pass.ms.high}},
                       {"samples", pass.ms.samples},
                       {"fragments", pass.fragments ? json(*pass.fragments) : json(nullptr)}});
   json error = nullptr;
@@ -142,36 +167,44 @@ json to_json(const FrameResult& frame) {
              {"flip", frame.error->flip},
              {"max", number_or_null(frame.error->max)},
              {"max_at", {frame.error->max_x, frame.error->max_y}}};
-  return {{"job", frame.job},
-          {"scene", frame.scene},
-          {"tick", frame.tick},
-          {"shot", none_or_number(frame.shot)},
-          {"seed", frame.seed},
-          {"size", {frame.width, frame.height}},
-          {"method", frame.method},
-          {"settings", frame.settings},
-          {"status", frame.status},
-          {"passes", passes},
-          {"gpu_ms", frame.gpu_ms},
-          {"transparency_ms", frame.transparency_ms},
-          {"memory_bytes", frame.memory_bytes},
-          {"left_out", frame.left_out},
-          {"error", error},
-          {"statistics", frame.statistics},
-          {"image", text_or_null(frame.image)},
-          {"error_map", text_or_null(frame.error_map)},
-          {"hdr", text_or_null(frame.hdr)}};
+  json result{{"job", frame.job},
+              {"scene", frame.scene},
+              {"tick", frame.tick},
+              {"shot", none_or_number(frame.shot)},
+              {"seed", frame.seed},
+              {"size", {frame.width, frame.height}},
+              {"method", frame.method},
+              {"settings", frame.settings},
+              {"status", frame.status},
+              {"passes", passes},
+              {"samples", frame.gpu_ms.samples},
+              {"memory_bytes", frame.memory_bytes},
+              {"left_out", frame.left_out},
+              {"error", error},
+              {"statistics", frame.statistics},
+              {"probes", frame.probes},
+              {"image", text_or_null(frame.image)},
+              {"error_map", text_or_null(frame.error_map)},
+              {"hdr", text_or_null(frame.hdr)}};
+  add_times(result, "gpu_ms", frame.gpu_ms);
+  add_times(result, "transparency_ms", frame.transparency_ms);
+  return result;
 }
 
 json to_json(const Results& results) {
   json frames = json::array(), moments = json::array();
   for (const FrameResult& frame : results.frames) frames.push_back(to_json(frame));
+  json notes = json::array();
+  for (const Note& note : results.notes) notes.push_back({{"what", note.what}, {"text", note.text}});
   for (const MomentResult& moment : results.moments) moments.push_back(to_json(moment));
-  return {{"command", results.command},
-          {"plan", {{"id", results.plan}, {"jobs", results.order.size()}, {"order", results.order}}},
-          {"environment", results.environment},
-          {"frames", std::move(frames)},
-          {"moments", std::move(moments)}};
+  json all{{"command", results.command},
+           {"plan", {{"id", results.plan}, {"jobs", results.order.size()}, {"order", results.order}}},
+           {"environment", results.environment},
+           {"frames", std::move(frames)},
+           {"moments", std::move(moments)},
+           {"notes", std::move(notes)}};
+  if (!results.sensitivity.is_null()) all["sensitivity"] = results.sensitivity;
+  return all;
 }
 
 Results read_results(const std::filesystem::path& path) try {
@@ -185,6 +218,8 @@ Results read_results(const std::filesystem::path& path) try {
                   .moments = {}};
   for (const json& frame : from.at("frames")) results.frames.push_back(frame_from_json(frame));
   for (const json& moment : from.at("moments")) results.moments.push_back(moment_from_json(moment));
+  for (const json& note : from.at("notes")) results.notes.push_back({note.at("what"), note.at("text")});
+  results.sensitivity = from.value("sensitivity", json());
   return results;
 } catch (const json::exception& error) {
   throw std::runtime_error(fmt::format("{} is not a results.json: {}", path.string(), error.what()));
@@ -203,11 +238,11 @@ std::string to_csv(const Results& results) {
   for (const std::string& name : pass_names) csv += fmt::format(",{}_ms", name);
   csv += "\n";
   for (const FrameResult& frame : results.frames) {
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.job), csv_field(frame.scene),
-                    frame.tick, frame.shot ? std::to_string(frame.shot) : "", frame.seed, frame.width,
-                    frame.height, frame.method, csv_field(frame.settings.dump()), csv_field(frame.status),
-                    frame.gpu_ms, frame.transparency_ms, frame.memory_bytes, fmt::join(frame.left_out, " "));
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(frame.job),
+                       csv_field(frame.scene), frame.tick, frame.shot ? std::to_string(frame.shot) : "",
+                       frame.seed, frame.width, frame.height, frame.method, csv_field(frame.settings.dump()),
+                       csv_field(frame.status), frame.gpu_ms.median, frame.transparency_ms.median,
+                       frame.memory_bytes, fmt::join(frame.left_out, " "));
     if (frame.error)
       csv += fmt::format(",{},{},{},{},{}", frame.error->rmse, frame.error->psnr_db, frame.error->ssim,
                          frame.error->flip, frame.error->max);
@@ -224,9 +259,9 @@ std::string to_csv(const Results& results) {
 }
 
 std::string to_table(const Results& results) {
-  std::string table =
-      fmt::format("{:<16} {:>5}  {:<16} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9} {:>9}  {}\n", "scene", "tick",
-                  "method", "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "own ms", "MiB", "settings");
+  std::string table = fmt::format(
+      "{:<16} {:>5}  {:<16} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9} {:<6} {:>9}  {}\n", "scene", "tick", "method",
+      "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "own ms", "±", "MiB", "settings");
   for (const FrameResult& frame : results.frames) {
     table += fmt::format("{:<16} {:>5}  {:<16} ", frame.scene, frame.tick, frame.method);
     if (frame.status != "ok") {
@@ -238,7 +273,10 @@ std::string to_table(const Results& results) {
                            frame.error->ssim, frame.error->flip);
     else
       table += fmt::format("{:>9} {:>8} {:>7} {:>7} ", "-", "-", "-", "-");
-    table += fmt::format("{:>9.2f} {:>9.2f} {:>9.2f}  ", frame.gpu_ms, frame.transparency_ms,
+    const Summary& own = frame.transparency_ms;
+    const double reach = std::max(own.high - own.median, own.median - own.low);
+    table += fmt::format("{:>9.2f} {:>9.2f} {:<6} {:>9.2f}  ", frame.gpu_ms.median, own.median,
+                         own.samples > 1 ? fmt::format("{:.2f}", reach) : "-",
                          double(frame.memory_bytes) / 1048576.0);
     for (const std::string& output : frame.left_out) table += fmt::format("no {}; ", output);
     const json changed = changed_settings(frame);

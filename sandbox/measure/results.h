@@ -38,13 +38,15 @@ struct FrameResult {
   nlohmann::json settings = nlohmann::json::object();  ///< every parameter with its value
   std::string status = "ok";                           ///< or "unavailable: needs X", "failed: why"
   std::vector<PassSummary> passes;
-  double gpu_ms = 0;                  ///< median over the repetitions of the sum of passes
-  double transparency_ms = 0;         ///< of that, the method's own passes: what is not the same for all
+  Summary gpu_ms;                     ///< of the repetitions' sums of passes; `min` is not kept in files
+  Summary transparency_ms;            ///< of that, the method's own passes: what is not the same for all
   uint64_t memory_bytes = 0;          ///< of the method's own images and buffers
   std::vector<std::string> left_out;  ///< outputs the picture wants that the method does not write
   std::optional<ErrorSummary> error;  ///< against the exact reference
   nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
-  std::string image, error_map, hdr;                     ///< file names beside results.json; "" = not written
+  /// Transmittance over depth at the pixels that were marked: see frame_probe.h.
+  nlohmann::json probes = nlohmann::json::array();
+  std::string image, error_map, hdr;  ///< file names beside results.json; "" = not written
 };
 
 /// What the jobs that are drawn together have in common.
@@ -56,6 +58,15 @@ struct MomentResult {
   nlohmann::json demand;  ///< what every instance costs when one goes there directly, and why
 };
 
+/// Something that makes the times of a run doubtful.
+struct Note {
+  std::string what, text;  ///< "load", "clock", …, and a sentence
+  bool operator==(const Note&) const = default;
+};
+
+/// Both, each note once.
+std::vector<Note> joined(std::vector<Note> notes, std::vector<Note> more);
+
 struct Results {
   std::string command;  ///< that draws all of the plan, for a shell; `--only JOB` behind it draws one job
   std::string plan;     ///< its id
@@ -63,6 +74,8 @@ struct Results {
   nlohmann::json environment;
   std::vector<FrameResult> frames;  ///< in that order, and the moments too
   std::vector<MomentResult> moments;
+  std::vector<Note> notes{};
+  nlohmann::json sensitivity{};  ///< of parameters, where it was asked for: see sensitivity.h
 };
 
 /// Whether there is nothing left to draw of the frame: a failed one is drawn again.
@@ -72,6 +85,8 @@ bool is_settled(const FrameResult& frame);
 nlohmann::json changed_settings(const FrameResult& frame);
 nlohmann::json to_json(const FrameResult& frame);
 nlohmann::json to_json(const Results& results);
+/// results.json and results.csv in a folder that is there. Throws FileError.
+void write_manifest(const std::filesystem::path& folder, const Results& results);
 /// Throws std::runtime_error that names the file when it is not a results.json.
 Results read_results(const std::filesystem::path& path);
 /// One line per frame; the passes' medians in columns of their own.

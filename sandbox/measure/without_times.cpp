@@ -8,7 +8,7 @@ namespace plume {
 namespace {
 
 /// Keys, wherever they stand.
-constexpr std::array<std::string_view, 14> kTimes = {
+constexpr std::array<std::string_view, 16> kTimes = {
     "gpu_ms",
     "gpu_ms_interval",
     "gpu_ms_p95",  // of a frame
@@ -21,7 +21,9 @@ constexpr std::array<std::string_view, 14> kTimes = {
     "interval_ms",  // of a pass
     "ms_before",
     "ms_after",
-    "accuracy_per_ms",  // of a parameter
+    "accuracy_per_ms",
+    "kind",
+    "sure",  // of a parameter
     "notes",
 };
 

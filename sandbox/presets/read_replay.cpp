@@ -106,6 +106,12 @@ void read_capture(TableReader& table, const std::vector<uint32_t>& ticks, Captur
   table.toggle("hdr", out.hdr);
 }
 
+/// Every shot has them, whatever its size.
+void read_pixels(TableReader& table, glm::uvec2 size, std::vector<glm::uvec2>& pixels) {
+  table.whole_pairs("pixels", {.name = "x", .limits = {0, double(size.x - 1), "pixels"}},
+                    {.name = "y", .limits = {0, double(size.y - 1), "pixels"}}, pixels);
+}
+
 }  // namespace
 
 Replay read_replay_text(std::string_view text, const std::string& file) {
@@ -130,7 +136,12 @@ Replay read_replay_text(std::string_view text, const std::string& file) {
         alone);
     if (recording) read_shots(top, replay);
     if (top.has("sweep")) read_sweeps(top, replay);
-    top.table("capture", [&](TableReader& table) { read_capture(table, replay.ticks, replay.capture); });
+    top.table("capture", [&](TableReader& table) {
+      read_capture(table, replay.ticks, replay.capture);
+      // Sizes of sweeps are looked at once they are known.
+      read_pixels(table, replay.sweeps.empty() ? replay.size : glm::uvec2(uint32_t(kPixels.max)),
+                  replay.capture.pixels);
+    });
   });
   return replay;
 }

@@ -431,6 +431,31 @@ bool TableReader::pairs(std::string_view key, const Column& first, const Column&
   return read;
 }
 
+bool TableReader::whole_pairs(std::string_view key, const Column& first, const Column& second,
+                              std::vector<glm::uvec2>& value) {
+  const toml::node* node = find(key, Need::kOptional, "");
+  if (!node) return false;
+  const toml::array* array = node->as_array();
+  if (!array) return wrong(key, *node, fmt::format("a list of [{}, {}]", first.name, second.name)), false;
+  std::vector<glm::uvec2> rows;
+  bool read = true;
+  for (const toml::node& item : *array) {
+    const toml::array* row = item.as_array();
+    if (!row || row->size() != 2) {
+      wrong(key, item, fmt::format("[{}, {}]", first.name, second.name));
+      read = false;
+      continue;
+    }
+    std::array<double, 2> pair{};
+    const bool has_first = read_number(first.name, (*row)[0], first.limits, true, pair[0]);
+    const bool has_second = read_number(second.name, (*row)[1], second.limits, true, pair[1]);
+    read &= has_first && has_second;
+    rows.emplace_back(pair[0], pair[1]);
+  }
+  if (read) value = std::move(rows);
+  return read;
+}
+
 bool TableReader::points(std::string_view key, const Column& first, const Column& second, Length length,
                          Points& value) {
   const Note note(*this, key, as_field(value),

@@ -86,6 +86,9 @@ class TableReader {
   bool ascending(std::string_view key, std::vector<uint32_t>& value, Limits limits, size_t at_least = 0);
   /// [[first, second], …] where the first column ascends strictly.
   bool pairs(std::string_view key, const Column& first, const Column& second, size_t at_least, Pairs& value);
+  /// [[first, second], …] of whole numbers in any order; no field is noted.
+  bool whole_pairs(std::string_view key, const Column& first, const Column& second,
+                   std::vector<glm::uvec2>& value);
   /// [[first, [x, y, z]], …] where the first column ascends strictly; the second column's name is `[x, y,
   /// z]`.
   struct Length {

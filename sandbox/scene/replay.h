@@ -3,6 +3,7 @@
 #ifndef PLUME_SCENE_REPLAY_H
 #define PLUME_SCENE_REPLAY_H
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
@@ -26,8 +27,13 @@ struct Capture {
   std::vector<uint32_t> ticks;  ///< empty: every tick of the replay
   bool images = true;           ///< PNG of the displayed image
   bool error_maps = true;
-  bool hdr = false;  ///< EXR of the linear image
+  bool hdr = false;                ///< EXR of the linear image
+  std::vector<glm::uvec2> pixels;  ///< whose transmittance over depth is kept; inside every picture
 };
+/// Whether anything is kept of a tick beyond its numbers.
+inline bool is_captured(const Capture& capture, uint32_t tick) {
+  return capture.ticks.empty() || std::ranges::binary_search(capture.ticks, tick);
+}
 
 /// One picture of a recording.
 struct Shot {

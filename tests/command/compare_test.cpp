@@ -26,19 +26,43 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
   const Outcome outcome = compare_street();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json all = results();
-  EXPECT_EQ(keys(all), (Names{"demand", "environment", "frames"}));
-  EXPECT_EQ(keys(all["environment"]), (Names{"api", "build", "commit", "device", "driver", "threads"}));
-  for (const char* name : {"api", "build", "commit", "device", "driver"})
+  EXPECT_EQ(keys(all), (Names{"demand", "environment", "frames", "notes"}));
+  EXPECT_EQ(keys(all["environment"]),
+            (Names{"api", "build", "commit", "cores", "cpu", "device", "driver", "threads"}));
+  for (const char* name : {"api", "build", "commit", "cpu", "device", "driver"})
     EXPECT_FALSE(all["environment"][name].get<std::string>().empty()) << name;
   EXPECT_GT(all["environment"]["threads"], 0);
+  EXPECT_GT(all["environment"]["cores"], 0);
 
   Names methods;
   for (const json& frame : all["frames"]) {
     SCOPED_TRACE(frame.dump());
     methods.push_back(frame["method"]);
-    EXPECT_EQ(keys(frame), (Names{"error", "error_map", "gpu_ms", "hdr", "image", "job", "left_out",
-                                  "memory_bytes", "method", "passes", "scene", "seed", "settings", "shot",
-                                  "size", "statistics", "status", "tick", "transparency_ms"}));
+    EXPECT_EQ(keys(frame), (Names{"error",
+                                  "error_map",
+                                  "gpu_ms",
+                                  "gpu_ms_interval",
+                                  "gpu_ms_p95",
+                                  "hdr",
+                                  "image",
+                                  "job",
+                                  "left_out",
+                                  "memory_bytes",
+                                  "method",
+                                  "passes",
+                                  "probes",
+                                  "samples",
+                                  "scene",
+                                  "seed",
+                                  "settings",
+                                  "shot",
+                                  "size",
+                                  "statistics",
+                                  "status",
+                                  "tick",
+                                  "transparency_ms",
+                                  "transparency_ms_interval",
+                                  "transparency_ms_p95"}));
     EXPECT_EQ(frame["scene"], "street");
     EXPECT_EQ(frame["tick"], 400);
     EXPECT_EQ(frame["size"], json::parse("[96, 54]"));
@@ -88,11 +112,21 @@ TEST_F(CompareTest, CountsAsManySamplesAsTimedFrames) {
   for (const json& frame : all["frames"]) {
     for (const json& pass : frame["passes"]) {
       SCOPED_TRACE(pass.dump());
-      EXPECT_EQ(keys(pass), (Names{"fragments", "median_ms", "min_ms", "name", "p95_ms", "samples"}));
+      EXPECT_EQ(keys(pass),
+                (Names{"fragments", "interval_ms", "median_ms", "min_ms", "name", "p95_ms", "samples"}));
       EXPECT_EQ(pass["samples"], 7);  // the warm-up is not one of them
       EXPECT_GT(pass["min_ms"], 0.0);
       EXPECT_LE(pass["min_ms"], pass["median_ms"]);
       EXPECT_LE(pass["median_ms"], pass["p95_ms"]);
+      EXPECT_LE(pass["interval_ms"][0], pass["median_ms"]);
+      EXPECT_GE(pass["interval_ms"][1], pass["median_ms"]);
+    }
+    if (frame["status"] != "ok") continue;
+    EXPECT_EQ(frame["samples"], 7);
+    for (const std::string of : {"gpu_ms", "transparency_ms"}) {
+      EXPECT_LE(frame[of + "_interval"][0], frame[of]);
+      EXPECT_GE(frame[of + "_interval"][1], frame[of]);
+      EXPECT_LE(frame[of], frame[of + "_p95"]);
     }
   }
 }
@@ -270,6 +304,51 @@ TEST_F(CompareTest, UnwritableFolderIsNamedWithTheReason) {
     EXPECT_EQ(outcome.err, std::string("plume: ") + folder + ": Not a directory\n");
   }
   EXPECT_EQ(read("file"), "not a folder");
+}
+
+TEST_F(CompareTest, KeepsTransmittanceAtMarkedPixels) {
+  const Outcome outcome = run({"compare", "three_cards", "--size", "96x54", "--frames", "1", "--methods",
+                               "reference,avboit", "--pixel", "48,27", "--pixel", "0,0", "--validate"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json frames = results()["frames"];
+  ASSERT_EQ(frames.size(), 2u);
+  for (const json& frame : frames) {
+    const json& probes = frame["probes"];
+    ASSERT_EQ(probes.size(), 2u);
+    EXPECT_EQ(probes[0]["pixel"], json::parse("[48, 27]"));
+    EXPECT_EQ(probes[1]["pixel"], json::parse("[0, 0]"));
+    for (const json& probe : probes) {
+      EXPECT_EQ(keys(probe),
+                (Names{"depth_m", "exact", "opaque_depth_m", "pixel", "transmittance", "zero_depth_m"}));
+      EXPECT_LE(probe["depth_m"].size(), 256u);
+      EXPECT_EQ(probe["exact"].size(), probe["depth_m"].size());
+      EXPECT_EQ(probe["transmittance"].size(), probe["depth_m"].size());
+    }
+    EXPECT_LT(probes[0]["exact"].back(), 0.9);
+  }
+  const json& exact = frames[0]["probes"][0];
+  for (size_t i = 0; i < exact["exact"].size(); ++i)
+    EXPECT_NEAR(exact["exact"][i].get<double>(), exact["transmittance"][i].get<double>(), 1e-5);
+  EXPECT_NE(frames[1]["probes"][0]["transmittance"], exact["transmittance"]);
+}
+
+TEST_F(CompareTest, WhatWasMarkedIsKeptByResume) {
+  const Arguments arguments = compare_quickly("three_cards", {"--methods", "avboit", "--pixel", "24,13"});
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  const json before = results();
+  Arguments again = arguments;
+  again.push_back("--resume");
+  const Outcome outcome = run(again, {{"PLUME_FAULT", "device_lost@draw"}});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(results(), before);
+  EXPECT_EQ(before["frames"][0]["probes"].size(), 1u);
+}
+
+TEST_F(CompareTest, APixelOutsideThePictureIsRefused) {
+  const Outcome outcome = run(compare_quickly("quads_mcguire", {"--pixel", "48,3"}));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(says(outcome.err, {"pixel 48,3 is marked", "48x27 ends at 47,26"}));
+  EXPECT_EQ(run(compare_quickly("quads_mcguire", {"--pixel", "48"})).exit_code, 2);
 }
 
 TEST_F(CompareTest, ValidationLayersHaveNothingToSay) {

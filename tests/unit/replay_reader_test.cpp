@@ -36,6 +36,7 @@ ticks = [20, 30]
 images = false
 error_maps = false
 hdr = true
+pixels = [[640, 100], [0, 719]]
 )";
 
 constexpr std::string_view kHead = "name = 'x'\nscene = 's'\nticks = [0]\n";
@@ -61,6 +62,7 @@ TEST(ReplayReader, ReadsEveryKey) {
   EXPECT_FALSE(replay.capture.images);
   EXPECT_FALSE(replay.capture.error_maps);
   EXPECT_TRUE(replay.capture.hdr);
+  EXPECT_EQ(replay.capture.pixels, (std::vector<glm::uvec2>{{640, 100}, {0, 719}}));
 }
 
 TEST(ReplayReader, LeavesWhatIsNotSaidAtItsDefault) {
