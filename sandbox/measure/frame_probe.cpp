@@ -98,10 +98,4 @@ json frame_probes(gpu::Device& device, gpu::Pipelines& pipelines, const Stage& s
   return probes;
 }
 
-bool are_of(const json& probes, std::span<const glm::uvec2> pixels) {
-  return std::ranges::equal(probes, pixels, [](const json& probe, const glm::uvec2& pixel) {
-    return probe.at("pixel") == json{pixel.x, pixel.y};
-  });
-}
-
 }  // namespace plume

@@ -30,8 +30,5 @@ nlohmann::json frame_probes(gpu::Device& device, gpu::Pipelines& pipelines, cons
                             const Targets& targets, const MethodInstance& instance,
                             std::span<const PixelProbe> marked);
 
-/// Whether `probes` are of these pixels, in this order.
-bool are_of(const nlohmann::json& probes, std::span<const glm::uvec2> pixels);
-
 }  // namespace plume
 #endif

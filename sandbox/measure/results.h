@@ -85,8 +85,6 @@ bool is_settled(const FrameResult& frame);
 nlohmann::json changed_settings(const FrameResult& frame);
 nlohmann::json to_json(const FrameResult& frame);
 nlohmann::json to_json(const Results& results);
-/// results.json and results.csv in a folder that is there. Throws FileError.
-void write_manifest(const std::filesystem::path& folder, const Results& results);
 /// Throws std::runtime_error that names the file when it is not a results.json.
 Results read_results(const std::filesystem::path& path);
 /// One line per frame; the passes' medians in columns of their own.

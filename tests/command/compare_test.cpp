@@ -26,7 +26,7 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
   const Outcome outcome = compare_street();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json all = results();
-  EXPECT_EQ(keys(all), (Names{"demand", "environment", "frames", "notes"}));
+  EXPECT_EQ(keys(all), (Names{"command", "environment", "frames", "moments", "notes", "plan"}));
   EXPECT_EQ(keys(all["environment"]),
             (Names{"api", "build", "commit", "cores", "cpu", "device", "driver", "threads"}));
   for (const char* name : {"api", "build", "commit", "cpu", "device", "driver"})

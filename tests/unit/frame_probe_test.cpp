@@ -67,14 +67,5 @@ TEST(FrameProbeTest, TellsDepthsThatAreThereOrNull) {
   EXPECT_EQ(told["pixel"], json::parse("[3, 4]"));
 }
 
-TEST(FrameProbeTest, KnowsWhosePixelsProbesAre) {
-  const std::vector<glm::uvec2> one{{3, 4}}, other{{4, 3}}, both{{3, 4}, {4, 3}};
-  const json probes = json::array({frame_probe(stack(1, glm::vec3(0.5f)), {})});
-  EXPECT_TRUE(are_of(probes, one));
-  EXPECT_FALSE(are_of(probes, other));
-  EXPECT_FALSE(are_of(probes, both));
-  EXPECT_TRUE(are_of(json::array(), {}));
-}
-
 }  // namespace
 }  // namespace plume
