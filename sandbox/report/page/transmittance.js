@@ -1,6 +1,7 @@
 // Transmittance over depth at the pixels that were marked: the exact step function and what methods believe.
 
 let transmittance = null;
+const kMostLight = 1.05;   // of the scale: room above clear air
 let depthMarksShown = [];  // {depth, text, colour, dash}
 
 /// Of the moment: each marked pixel with the rows that were asked about it.
@@ -68,7 +69,9 @@ function drawTransmittance() {
   const marks = [];
   if (first.opaque_depth_m)
     marks.push({depth: first.opaque_depth_m, text: 'something solid', colour: css('--quiet'), dash: []});
-  const points = (probe, values) => probe.depth_m.map((depth, i) => ({x: depth, y: lightOf(values[i])}));
+  const solid = first.opaque_depth_m ?? Infinity;  // behind it nothing is asked of a method
+  const points = (probe, values) =>
+      probe.depth_m.map((depth, i) => ({x: depth, y: lightOf(values[i])})).filter(({x}) => x <= solid);
   const dashes = [[], [6, 3], [2, 3], [9, 3, 2, 3]];
   const datasets = [{
     label: 'exact',
@@ -96,11 +99,15 @@ function drawTransmittance() {
     if (probe.zero_depth_m)
       marks.push({depth: probe.zero_depth_m, text: `${row.id} draws nothing behind`, colour, dash: [3, 3]});
   });
+  const beyond = datasets.filter(({data}) => data.some(({y}) => y > kMostLight)).map(({label}) => label);
   $('transmittance_note').textContent =
       `Pixel ${id.replace(',', ', ')} of ${
           asked[0].row.moment.name}. Click a name to hide or show its curve.` +
       (curves.length < known.length ?
            ' Methods with their defaults are here, and the one whose pictures are shown.' :
+           '') +
+      (beyond.length ?
+           ` Above 1 is cut off: ${beyond.join(', ')} knows no transmittance but weighs each thing by a guess, which may exceed 1.` :
            '');
   depthMarksShown = marks;
   transmittance = new Chart($('transmittance'), {
@@ -114,14 +121,14 @@ function drawTransmittance() {
         x: {
           type: view.depth === 'log' ? 'logarithmic' : 'linear',
           min: first.depth_m[0],
-          max: first.depth_m.at(-1),
+          max: Math.min(first.depth_m.at(-1), 1.02 * solid),
           title: {display: true, text: 'depth from the eye, m', color: css('--ink')},
           ticks: {callback: (value) => tickFigure(value), maxRotation: 0, autoSkipPadding: 14},
           grid: {color: css('--faint')}
         },
         y: {
-          suggestedMin: 0,
-          suggestedMax: 1,
+          min: 0,
+          max: kMostLight,
           title: {display: true, text: 'light from behind that comes through', color: css('--ink')},
           grid: {color: css('--faint')}
         },
