@@ -27,7 +27,7 @@ TEST_F(KillTest, TenTimesAtRandomLeaveTheSameBytes) {
   int killed = 0;
   for (int i = 0; i < 10; ++i) {
     const pid_t program = start({"replay", "script.toml", "--resume"});
-    const double ms = whole_ms * std::uniform_real_distribution<double>(0, 0.4)(random);
+    const double ms = whole_ms * std::uniform_real_distribution<double>(0, 0.25)(random);
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(ms));
     kill(program, SIGKILL);
     killed += wait(program).exit_code == 128 + SIGKILL;

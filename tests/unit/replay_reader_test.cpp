@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <set>
 
 #include "renderer/methods/method.h"
 #include "renderer/methods/methods.h"
@@ -71,6 +72,50 @@ TEST(ReplayReader, LeavesWhatIsNotSaidAtItsDefault) {
   EXPECT_EQ(replay.size, Replay{}.size);
   EXPECT_TRUE(replay.camera.empty());
   EXPECT_TRUE(replay.capture.ticks.empty());
+}
+
+TEST(ReplayReader, ReadsSweepsAsReplaysOfTheirOwn) {
+  const Replay replay = read_replay_text(R"(
+name = "Sweep"
+size = [8, 8]
+frames = 7
+[[sweep]]
+scenes = ["a", "b"]
+ticks = { first = 1, last = 3 }
+sizes = [[16, 9], [32, 18]]
+seeds = [4, 5]
+[[sweep.method]]
+id = "avboit"
+slices = ["32", "64", "128"]
+half_particles = [true, false]
+[[sweep]]
+scenes = "c"
+[[sweep.method]]
+id = "wboit"
+)",
+                                         "a/sweep.toml");
+  EXPECT_EQ(replay.sweeps.at(1).at.line, 14u);
+  EXPECT_EQ(replay.sweeps.at(0).scenes_at.line, 6u);
+  EXPECT_EQ(jobs_of(replay.sweeps[0]), 2 * 3 * 2 * 2 * 6);
+  const std::vector<Replay> all = expand(replay);
+  ASSERT_EQ(all.size(), 9u);  // by scene, size and seed
+  for (const Replay& one : all) {
+    EXPECT_TRUE(one.sweeps.empty());
+    EXPECT_EQ(one.id, "sweep");
+    EXPECT_EQ(one.frames, 7u);
+  }
+  EXPECT_EQ(all[1].scene, "a");
+  EXPECT_EQ(all[1].size, glm::uvec2(16, 9));
+  EXPECT_EQ(all[1].seed, 5u);
+  EXPECT_EQ(all[1].ticks, (std::vector<uint32_t>{1, 2, 3}));
+  EXPECT_EQ(all[7].scene, "b");
+  EXPECT_EQ(all[7].size, glm::uvec2(32, 18));
+  std::set<std::map<std::string, std::string>> settings;
+  for (const MethodRun& run : all[1].methods) settings.insert(run.settings);
+  EXPECT_EQ(settings.size(), 6u);
+  EXPECT_EQ(all[8].size, glm::uvec2(8, 8));
+  EXPECT_TRUE(all[8].ticks.empty());
+  EXPECT_FALSE(all[8].seed.has_value());
 }
 
 TEST(ReplayReader, TakesEveryParameterOfEveryMethodAtItsDefault) {

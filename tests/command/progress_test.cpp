@@ -1,0 +1,51 @@
+// How far a run is: one line that is rewritten on a terminal, plain lines in a pipe.
+#include <regex>
+
+#include "tests/command/program.h"
+
+namespace plume {
+namespace {
+
+class ProgressTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("script.toml",
+          "name = 'R'\nscene = 'three_cards'\nsize = [32, 18]\nframes = 1\nwarmup = 0\nticks = [0, 1, 2, 3]\n"
+          "[[method]]\nid = 'sorted'\n");
+  }
+  static testing::AssertionResult matches(const std::string& text, const std::string& pattern) {
+    if (std::regex_match(text, std::regex(pattern))) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << text << " is not " << pattern;
+  }
+};
+
+TEST_F(ProgressTest, IsPlainLinesInAPipe) {
+  EXPECT_TRUE(matches(run({"replay", "script.toml"}).err,
+                      "\\[1/4\\] three_cards tick 0 · \\d+s left\n\\[2/4\\] three_cards tick 1 · \\d+s left\n"
+                      "\\[3/4\\] three_cards tick 2 · \\d+s left\n"
+                      "\\[4/4\\] three_cards tick 3 · done in \\d+s\n"));
+}
+
+TEST_F(ProgressTest, IsOneLineOnATerminal) {
+  // script(1) is part of every Debian and gives the program a terminal.
+  const std::string command = "cd '" + at("").string() +
+                              "' && PLUME_CACHE=off script -qec \"'" PLUME_PROGRAM
+                              "' replay script.toml > table\" /dev/null < /dev/null > terminal";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(matches(read("terminal"),
+                      "(\r\x1b\\[K\\[[123]/4\\] three_cards tick [012] · \\d+s left){3}"
+                      "\r\x1b\\[K\\[4/4\\] three_cards tick 3 · done in \\d+s\r\n"));
+}
+
+TEST_F(ProgressTest, TellsWhatIsLeftFromWhatWasDrawnNow) {
+  ASSERT_EQ(run({"replay", "script.toml", "--shard", "0/2"}).exit_code, 0);
+  EXPECT_TRUE(matches(run({"replay", "script.toml", "--resume"}).err,
+                      "\\[2/4\\] kept from an earlier run\n\\[3/4\\] three_cards tick 1 · \\d+s left\n"
+                      "\\[4/4\\] three_cards tick 3 · done in \\d+s\n"));
+  EXPECT_TRUE(matches(run({"replay", "script.toml", "--resume"}).err,
+                      "\\[4/4\\] kept from an earlier run · done in \\d+s\n"));
+}
+
+}  // namespace
+}  // namespace plume
