@@ -218,12 +218,21 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Replay
   }
 }
 
+namespace {
+
+/// Tests inject what drivers rarely do; with PLUME_FAULT_ONCE only into the process that makes that folder.
+std::string injected_fault() {
+  const char *fault = std::getenv("PLUME_FAULT"), *once = std::getenv("PLUME_FAULT_ONCE");
+  return !fault || (once && !std::filesystem::create_directory(once)) ? "" : fault;
+}
+
+}  // namespace
+
 gpu::DeviceOptions device_options(const DrawFlags& flags) {
-  const char* fault = std::getenv("PLUME_FAULT");  // tests inject what drivers rarely do
   return {.select = flags.device,
           .validate = flags.validate,
           .memory_limit_bytes = flags.memory_limit_mib << 20,
-          .fault = fault ? fault : ""};
+          .fault = injected_fault()};
 }
 
 GpuSession::GpuSession(const gpu::DeviceOptions& options, const std::string& shader_folder)

@@ -52,6 +52,15 @@ TEST_F(IsolateTest, LostDeviceCostsOneJobWhichIsTriedTwice) {
   expect_as_drawn_in_one_process();
 }
 
+TEST_F(IsolateTest, JobThatFailedIsTriedOnceMore) {
+  const Outcome outcome =
+      replay({"--isolate", "--only", "street_000020_avboit"},
+             {{"PLUME_FAULT", "crash@integrate"}, {"PLUME_FAULT_ONCE", at("once").string()}});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, {"street_000020_avboit: signal 6", "trying once more", "[1/1]"}));
+  EXPECT_EQ(results()["frames"][0]["status"], "ok");
+}
+
 TEST_F(IsolateTest, CrashCostsOneJob) {
   const Outcome outcome = replay({"--isolate"}, {{"PLUME_FAULT", "crash@integrate"}});
   EXPECT_EQ(outcome.exit_code, 4);

@@ -129,6 +129,19 @@ TEST_F(ResumeTest, EditedPresetMakesAnotherPlan) {
   EXPECT_NE(plan(), effect);
 }
 
+TEST_F(ResumeTest, HalfFilesOfAKilledProcessAreRemoved) {
+  play("[20]");
+  const pid_t dead = start({"replay", "script.toml"});
+  ASSERT_EQ(wait(dead).exit_code, 0);
+  const auto before = files();
+  write("out/a.png.tmp-" + std::to_string(dead) + "-3", "half");
+  write("out/b.png.tmp-" + std::to_string(getpid()) + "-3", "somebody is at it");
+  ASSERT_EQ(replay({"--resume"}).exit_code, 0);
+  auto after = before;
+  after.insert(after.begin(), "b.png.tmp-" + std::to_string(getpid()) + "-3");
+  EXPECT_EQ(files(), after);
+}
+
 TEST_F(ResumeTest, RemovedPictureIsDrawnAgain) {
   ASSERT_EQ(replay().exit_code, 0);
   const json before = frames();
