@@ -84,7 +84,8 @@ Shard parse_shard(const std::string& text) {
 Shard::By parse_dealing(const std::string& text) {
   if (text == "turn") return Shard::By::kTurn;
   if (text == "range") return Shard::By::kRange;
-  throw UsageError(fmt::format("--by {}: expected turn or range", text));
+  if (text == "job") return Shard::By::kJob;
+  throw UsageError(fmt::format("--by {}: expected turn, range or job", text));
 }
 
 }  // namespace
@@ -146,7 +147,8 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
   command
       .add_option_function<std::string>(
           "--by", [&flags](const std::string& text) { flags.shard.by = parse_dealing(text); },
-          "turn or range: how --shard deals ticks, one after the other or in N parts that follow each other")
+          "turn, range or job: --shard deals ticks one after the other, in N parts that follow each other, "
+          "or each job of a tick by itself")
       ->group(kThisRun);
   command
       .add_flag(

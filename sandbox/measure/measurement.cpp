@@ -19,6 +19,7 @@
 #include "sandbox/measure/metrics.h"
 #include "sandbox/measure/picture.h"
 #include "sandbox/measure/repetitions.h"
+#include "sandbox/measure/shortfalls.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/stage.h"
 
@@ -260,6 +261,7 @@ class Measurement {
     frame.transparency_ms = summarise(contender.transparency_ms);
     frame.probes = contender.probes;
     frame.statistics = contender.instance.method->statistics(device_, contender.instance.resources);
+    frame.shortfalls = shortfall_sentences(*contender.instance.method, frame.statistics);
     frame.left_out = contender.left_out;
     frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
     Raster<float> error_map;

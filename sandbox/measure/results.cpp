@@ -103,6 +103,7 @@ FrameResult frame_from_json(const json& from) {
                    .max_x = error.at("max_at").at(0),
                    .max_y = error.at("max_at").at(1)};
   frame.statistics = from.at("statistics");
+  frame.shortfalls = from.at("shortfalls");
   frame.probes = from.at("probes");
   frame.image = text_of(from.at("image"));
   frame.error_map = text_of(from.at("error_map"));
@@ -182,6 +183,7 @@ json to_json(const FrameResult& frame) {
               {"left_out", frame.left_out},
               {"error", error},
               {"statistics", frame.statistics},
+              {"shortfalls", frame.shortfalls},
               {"probes", frame.probes},
               {"image", text_or_null(frame.image)},
               {"error_map", text_or_null(frame.error_map)},

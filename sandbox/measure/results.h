@@ -44,6 +44,7 @@ struct FrameResult {
   std::vector<std::string> left_out;  ///< outputs the picture wants that the method does not write
   std::optional<ErrorSummary> error;  ///< against the exact reference
   nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
+  std::vector<std::string> shortfalls;  ///< what the picture lacks, in sentences: see shortfalls.h
   /// Transmittance over depth at the pixels that were marked: see frame_probe.h.
   nlohmann::json probes = nlohmann::json::array();
   std::string image, error_map, hdr;  ///< file names beside results.json; "" = not written

@@ -12,7 +12,8 @@ namespace {
 
 constexpr size_t kSuggested = 1'000;  // more ids than this are not searched for the nearest
 
-bool is_of(const Shard& shard, size_t moment, size_t moments) {
+bool is_of(const Shard& shard, size_t job, size_t moment, size_t moments) {
+  if (shard.by == Shard::By::kJob) return job % shard.count == shard.index;
   if (shard.by == Shard::By::kTurn) return moment % shard.count == shard.index;
   const auto begin = [&](uint64_t part) { return part * moments / shard.count; };
   return begin(shard.index) <= moment && moment < begin(uint64_t(shard.index) + 1);
@@ -34,7 +35,8 @@ Selection select_jobs(const Plan& plan, const Shard& shard, const std::vector<st
     for (size_t j = 0; j < plan.moments[m].jobs.size(); ++j) {
       const std::string& id = plan.moments[m].jobs[j].id;
       unknown.erase(id);
-      if (is_of(shard, m, plan.moments.size()) && (only.empty() || asked.contains(id)))
+      if (is_of(shard, plan.moments[m].first_job + j, m, plan.moments.size()) &&
+          (only.empty() || asked.contains(id)))
         selection[m].push_back(j);
     }
   if (!unknown.empty()) refuse(*unknown.begin(), plan.order());

@@ -9,13 +9,13 @@
 
 namespace plume {
 
-/// A part of a plan for one of several machines. Moments are dealt whole, so that the times of their methods
-/// come from one machine.
+/// A part of a plan for one of several machines.
 struct Shard {
   uint32_t index = 0, count = 1;  ///< zero-based
   enum class By {
-    kTurn,  ///< the first to the first, the second to the second, …
-    kRange  ///< the first part of the moments to the first, …: frames that follow each other stay together
+    kTurn,   ///< the first moment to the first, the second to the second, …
+    kRange,  ///< the first part of the moments to the first, …: frames that follow each other stay together
+    kJob     ///< jobs in turn, also those of one moment, whose times then are not of one machine
   } by = By::kTurn;
 };
 

@@ -55,6 +55,7 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
                                   "scene",
                                   "seed",
                                   "settings",
+                                  "shortfalls",
                                   "shot",
                                   "size",
                                   "statistics",

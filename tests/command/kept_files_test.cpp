@@ -19,7 +19,7 @@ TEST_F(KeptPipelinesTest, AreReadAgainAndNotWrittenAgain) {
   const auto written = fs::last_write_time(at(file()));
   const Outcome again = draw();
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_EQ(again.err.find("note"), std::string::npos) << again.err;
+  EXPECT_EQ(again.err.find("pipelines"), std::string::npos) << again.err;
   EXPECT_EQ(fs::last_write_time(at(file())), written);
 }
 
@@ -69,7 +69,7 @@ TEST_F(KeptPipelinesTest, AreWholeWhenTwoProgramsEndAtOnce) {
   EXPECT_EQ(wait(first).exit_code, 0);
   EXPECT_EQ(wait(second).exit_code, 0);
   ASSERT_EQ(files("cache").size(), 1u);  // no temporary file is left either
-  EXPECT_EQ(draw().err.find("note"), std::string::npos);
+  EXPECT_EQ(draw().err.find("pipelines"), std::string::npos);
 }
 
 }  // namespace

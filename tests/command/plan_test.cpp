@@ -91,6 +91,22 @@ TEST_F(PlanTest, RowsAreDrawnAgainByTheCommandTheyCameFrom) {
             "plume compare quads_mcguire --methods sorted,wboit --frames 1 --size 16x9");
 }
 
+TEST_F(PlanTest, ShardsOfJobsShareATick) {
+  write("my script.toml",
+        street_script("[0, 1]",
+                      "[[method]]\nid = 'sorted'\n[[method]]\nid = 'wboit'\n[[method]]\nid = 'mlab'\n"));
+  const auto methods = [&](const char* shard) {
+    json found = json::array();
+    const Outcome outcome = replay({"--list", "--json", "--shard", shard, "--by", "job"}, no_device_);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json list = json::parse(outcome.out);
+    for (const json& job : list["jobs"]) found.push_back(job["method"]);
+    return found;
+  };
+  EXPECT_EQ(methods("0/2"), json::parse(R"(["sorted", "mlab", "wboit"])"));
+  EXPECT_EQ(methods("1/2"), json::parse(R"(["wboit", "sorted", "mlab"])"));
+}
+
 TEST_F(PlanTest, ShardsOfARangeFollowEachOther) {
   write("my script.toml", street_script("{first = 1, last = 7}", "[[method]]\nid = 'sorted'\n"));
   const auto ticks = [&](const Arguments& more) {
@@ -109,7 +125,7 @@ TEST_F(PlanTest, ShardsOfARangeFollowEachOther) {
   EXPECT_EQ(ticks({"--shard", "2/3"}), json::parse("[3, 6]"));
   const Outcome wrong = replay({"--shard", "0/2", "--by", "halves"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_TRUE(says(wrong.err, {"--by halves", "expected turn or range"}));
+  EXPECT_TRUE(says(wrong.err, {"--by halves", "expected turn, range or job"}));
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ function drawPictures() {
           ...(method ?
                   [
                     element('strong', {}, `${shown.method}: ${method.title}.`),
-                    ` ${method.source}. Known limits: ${method.limits}.`
+                    ` ${method.source}. Known limits: ${method.limits}.`,
+                    ...(shown.frame.shortfalls ?? []).map((lack) => element('div', {}, lack)),
                   ] :
                   []));
   $('thumbnails')
