@@ -107,6 +107,7 @@ TEST_F(ResumeTest, AnotherPlanIsNotMixedIn) {
   };
   refuses({"--size", "32x18"});
   refuses({"--seed", "7"});
+  refuses({"--pixel", "3,3"});
   refuses({"--set", "wboit.weight=eq9"});
   play("{first = 10, last = 40, step = 10}", "[[method]]\nid = 'wboit'\n");
   refuses({});
