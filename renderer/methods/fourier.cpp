@@ -78,13 +78,7 @@ class Fourier final : public Method {
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
     return cells_.statistics(device, resources);
   }
-  std::span<const Shortfall> shortfalls() const override {
-    static constexpr Shortfall kShortfalls[] = {
-        {.statistic = "outside_range",
-         .what = "Fragments outside the range of depths, which count as if at its end",
-         .remedy = "Widen `near` and `far`, or set `range` to pixel"}};
-    return kShortfalls;
-  }
+  std::span<const Shortfall> shortfalls() const override { return AbsorbanceCells::shortfalls(); }
 
  private:
   gpu::Constants own_constants() const { return {kPairs[coefficients_]}; }

@@ -103,13 +103,7 @@ class Wavelets final : public Method {
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const override {
     return cells_.statistics(device, resources);
   }
-  std::span<const Shortfall> shortfalls() const override {
-    static constexpr Shortfall kShortfalls[] = {
-        {.statistic = "outside_range",
-         .what = "Fragments outside the range of depths, which count as if at its end",
-         .remedy = "Widen `near` and `far`, or set `range` to pixel"}};
-    return kShortfalls;
-  }
+  std::span<const Shortfall> shortfalls() const override { return AbsorbanceCells::shortfalls(); }
 
  private:
   /// In half floats many thin fragments' transmittances near 1 multiply to what rounding makes of them.

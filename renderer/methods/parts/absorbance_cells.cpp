@@ -75,6 +75,14 @@ nlohmann::json AbsorbanceCells::statistics(gpu::Device& device, const Resources&
   return {{"absorbance_clamped", counts.clamped}, {"outside_range", counts.outside}};
 }
 
+std::span<const Shortfall> AbsorbanceCells::shortfalls() {
+  static constexpr Shortfall kShortfalls[] = {
+      {.statistic = "outside_range",
+       .what = "Fragments outside the range of depths, which count as if at its end",
+       .remedy = "Widen `near` and `far`, or set `range` to pixel"}};
+  return kShortfalls;
+}
+
 gpu::Constants AbsorbanceCells::constants(const Transparents& transparents, const gpu::Constants& own) const {
   gpu::Constants all{divisor(),
                      range == 0 ? 1u : 0u,

@@ -33,6 +33,7 @@ struct AbsorbanceCells {
             std::optional<Source> source = {}, std::vector<gpu::Attachment> targets = {}) const;
   /// What splats counted: absorbance_clamped, outside_range.
   nlohmann::json statistics(gpu::Device& device, const Resources& resources) const;
+  static std::span<const Shortfall> shortfalls();
   /// What cells.glsl specialises, and what it binds.
   gpu::Constants constants(const Transparents& transparents, const gpu::Constants& own) const;
   gpu::Bindings bindings(const Resources& resources, gpu::Bindings own) const;
