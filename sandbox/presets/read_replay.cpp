@@ -108,8 +108,8 @@ void read_capture(TableReader& table, const std::vector<uint32_t>& ticks, Captur
 
 /// Every shot has them, whatever its size.
 void read_pixels(TableReader& table, glm::uvec2 size, std::vector<glm::uvec2>& pixels) {
-  table.whole_pairs("pixels", {.name = "x", .limits = {0, double(size.x - 1), "pixels"}},
-                    {.name = "y", .limits = {0, double(size.y - 1), "pixels"}}, pixels);
+  table.whole_pairs("pixels", {.name = "x", .limits = {0, double(size.x - 1), "pixels"}, .whole = true},
+                    {.name = "y", .limits = {0, double(size.y - 1), "pixels"}, .whole = true}, pixels);
 }
 
 }  // namespace

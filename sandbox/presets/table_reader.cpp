@@ -401,6 +401,19 @@ bool TableReader::ascends(const Column& column, const toml::node& node, double b
   return false;
 }
 
+TableReader::Row TableReader::read_row(std::string_view key, const toml::node& item, const Column& first,
+                                       const Column& second) {
+  const toml::array* row = item.as_array();
+  if (!row || row->size() != 2) {
+    wrong(key, item, fmt::format("[{}, {}]", first.name, second.name));
+    return {};
+  }
+  Row read;
+  read.has_first = read_number(first.name, (*row)[0], first.limits, first.whole, read.pair[0]);
+  read.has_second = read_number(second.name, (*row)[1], second.limits, second.whole, read.pair[1]);
+  return read;
+}
+
 bool TableReader::pairs(std::string_view key, const Column& first, const Column& second, size_t at_least,
                         std::vector<std::array<double, 2>>& value) {
   const Note note(*this, key, as_field(value), {.columns = {first, second}, .at_least = at_least});
@@ -413,19 +426,11 @@ bool TableReader::pairs(std::string_view key, const Column& first, const Column&
   std::vector<std::array<double, 2>> rows;
   bool read = true;
   for (const toml::node& item : *array) {
-    const toml::array* row = item.as_array();
-    if (!row || row->size() != 2) {
-      wrong(key, item, fmt::format("[{}, {}]", first.name, second.name));
-      read = false;
-      continue;
-    }
-    std::array<double, 2> pair{};
-    const bool has_first = read_number(first.name, (*row)[0], first.limits, first.whole, pair[0]);
-    const bool has_second = read_number(second.name, (*row)[1], second.limits, second.whole, pair[1]);
-    read &= has_first && has_second;
-    if (!has_first) continue;
-    if (!rows.empty()) read &= ascends(first, (*row)[0], rows.back()[0], pair[0]);
-    rows.push_back(pair);
+    const Row row = read_row(key, item, first, second);
+    read &= row.has_first && row.has_second;
+    if (!row.has_first) continue;
+    if (!rows.empty()) read &= ascends(first, (*item.as_array())[0], rows.back()[0], row.pair[0]);
+    rows.push_back(row.pair);
   }
   if (read) value = std::move(rows);
   return read;
@@ -440,17 +445,9 @@ bool TableReader::whole_pairs(std::string_view key, const Column& first, const C
   std::vector<glm::uvec2> rows;
   bool read = true;
   for (const toml::node& item : *array) {
-    const toml::array* row = item.as_array();
-    if (!row || row->size() != 2) {
-      wrong(key, item, fmt::format("[{}, {}]", first.name, second.name));
-      read = false;
-      continue;
-    }
-    std::array<double, 2> pair{};
-    const bool has_first = read_number(first.name, (*row)[0], first.limits, true, pair[0]);
-    const bool has_second = read_number(second.name, (*row)[1], second.limits, true, pair[1]);
-    read &= has_first && has_second;
-    rows.emplace_back(pair[0], pair[1]);
+    const Row row = read_row(key, item, first, second);
+    read &= row.has_first && row.has_second;
+    rows.emplace_back(row.pair[0], row.pair[1]);
   }
   if (read) value = std::move(rows);
   return read;

@@ -135,6 +135,11 @@ class TableReader {
   const toml::node* find(std::string_view key, Need need, const std::string& expected);
   void wrong(std::string_view key, const toml::node& node, const std::string& expected);
   bool read_number(std::string_view key, const toml::node& node, Limits limits, bool whole, double& value);
+  struct Row {
+    std::array<double, 2> pair{};
+    bool has_first = false, has_second = false;
+  };
+  Row read_row(std::string_view key, const toml::node& item, const Column& first, const Column& second);
   bool read_numbers(std::string_view key, const toml::node& node, Limits limits, bool whole,
                     std::span<double> values);
   bool ascends(const Column& column, const toml::node& node, double before, double value);
