@@ -11,8 +11,8 @@
 #include "renderer/gpu/pipelines.h"
 #include "sandbox/commands/kept_pipelines.h"
 #include "sandbox/commands/regression.h"
-#include "sandbox/measure/measurement.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/runs/measurement.h"
 
 namespace plume {
 

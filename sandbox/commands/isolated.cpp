@@ -9,7 +9,7 @@
 #include "renderer/gpu/errors.h"
 #include "sandbox/commands/child.h"
 #include "sandbox/commands/command.h"
-#include "sandbox/measure/machine_load.h"
+#include "sandbox/runs/machine_load.h"
 
 namespace plume {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sandbox/measure/measurement.h"
+#include "sandbox/runs/measurement.h"
 
 namespace plume {
 

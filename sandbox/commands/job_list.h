@@ -2,7 +2,7 @@
 #ifndef PLUME_COMMANDS_JOB_LIST_H
 #define PLUME_COMMANDS_JOB_LIST_H
 
-#include "sandbox/measure/selection.h"
+#include "sandbox/runs/selection.h"
 
 namespace plume {
 

@@ -1,5 +1,5 @@
 // plume merge DIR...: the results of shards as those of one machine.
-#include "sandbox/measure/merge.h"
+#include "sandbox/runs/merge.h"
 
 #include "sandbox/commands/command.h"
 

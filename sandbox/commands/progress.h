@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "sandbox/measure/measurement.h"
+#include "sandbox/runs/measurement.h"
 
 namespace plume {
 

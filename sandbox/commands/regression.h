@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sandbox/measure/baseline.h"
+#include "sandbox/runs/baseline.h"
 #include "sandbox/scene/replay.h"
 
 namespace plume {

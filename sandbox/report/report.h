@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 
 namespace plume {
 

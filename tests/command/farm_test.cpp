@@ -1,5 +1,5 @@
 // scripts/farm_parallel.sh: shards by GNU parallel on this machine, one of which dies on the way.
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {

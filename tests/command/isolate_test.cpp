@@ -1,5 +1,5 @@
 // plume … --isolate: what one job breaks, no other notices.
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {

@@ -1,7 +1,7 @@
 // kill -9 at any moment costs nothing but the frame that was being drawn.
 #include <random>
 
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {

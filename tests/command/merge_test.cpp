@@ -1,5 +1,5 @@
 // plume merge: shards put together are what one machine would have left.
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {

@@ -1,5 +1,5 @@
 // What a run is going to draw, told before it is drawn and without a device; and one job of it alone.
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {
@@ -105,6 +105,16 @@ TEST_F(PlanTest, ShardsOfJobsShareATick) {
   };
   EXPECT_EQ(methods("0/2"), json::parse(R"(["sorted", "mlab", "wboit"])"));
   EXPECT_EQ(methods("1/2"), json::parse(R"(["wboit", "sorted", "mlab"])"));
+}
+
+TEST_F(PlanTest, AMarkedPixelLiesInEverySizeOfASweep) {
+  write("my script.toml",
+        "name = 'S'\n[[sweep]]\nscenes = 'street'\nsizes = [[32, 18], [16, 9]]\n[[sweep.method]]\nid = "
+        "'sorted'\n[capture]\npixels = [[15, 8]]\n");
+  EXPECT_EQ(replay({"--list"}, no_device_).exit_code, 0);
+  const Outcome outside = replay({"--list", "--pixel", "16,8"}, no_device_);
+  EXPECT_EQ(outside.exit_code, 2);
+  EXPECT_TRUE(says(outside.err, {"pixel 16,8", "16x9 ends at 15,8"}));
 }
 
 TEST_F(PlanTest, ShardsOfARangeFollowEachOther) {

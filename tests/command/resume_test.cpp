@@ -1,7 +1,7 @@
 // Long jobs: split over machines, stopped by hand, gone on with later. The frames are those of one
 // undisturbed run.
 #include "sandbox/measure/image_io.h"
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
 namespace plume {

@@ -1,5 +1,5 @@
 // plume compare --sensitivity: what each parameter buys.
-#include "sandbox/measure/sensitivity.h"
+#include "sandbox/runs/sensitivity.h"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/baseline.h"
+#include "sandbox/runs/baseline.h"
 
 #include <gtest/gtest.h>
 

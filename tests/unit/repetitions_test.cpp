@@ -1,4 +1,4 @@
-#include "sandbox/measure/repetitions.h"
+#include "sandbox/runs/repetitions.h"
 
 #include <gtest/gtest.h>
 

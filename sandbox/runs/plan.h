@@ -1,16 +1,16 @@
 // What a comparison or a replay is going to draw, known before anything is drawn and without a device:
 // moments in their order, and the jobs of each. A job is one method with its settings at one moment; its id
 // names its files, and names it to `--only`, to other machines and to later runs.
-#ifndef PLUME_MEASURE_PLAN_H
-#define PLUME_MEASURE_PLAN_H
+#ifndef PLUME_RUNS_PLAN_H
+#define PLUME_RUNS_PLAN_H
 
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sandbox/measure/results.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/runs/results.h"
 
 namespace plume {
 

@@ -1,7 +1,7 @@
 // What a comparison or a replay found: results.json and results.csv. Written after every frame, so that an
 // interrupted run keeps what it had and --resume goes on from there.
-#ifndef PLUME_MEASURE_RESULTS_H
-#define PLUME_MEASURE_RESULTS_H
+#ifndef PLUME_RUNS_RESULTS_H
+#define PLUME_RUNS_RESULTS_H
 
 #include <filesystem>
 #include <map>

@@ -1,4 +1,4 @@
-#include "sandbox/measure/fingerprint.h"
+#include "sandbox/runs/fingerprint.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/build_info.h"
+#include "sandbox/runs/build_info.h"
 
 #include "build_commit.h"  // written by the build, see cmake/build_commit.cmake
 

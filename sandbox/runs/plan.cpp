@@ -1,4 +1,4 @@
-#include "sandbox/measure/plan.h"
+#include "sandbox/runs/plan.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/file_bytes.h"
-#include "sandbox/measure/fingerprint.h"
 #include "sandbox/presets/diagnostics.h"
 #include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_effect.h"
 #include "sandbox/presets/read_scene.h"
+#include "sandbox/runs/fingerprint.h"
 
 namespace plume {
 namespace {

@@ -1,4 +1,4 @@
-#include "sandbox/measure/merge.h"
+#include "sandbox/runs/merge.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "sandbox/measure/file_bytes.h"
-#include "sandbox/measure/manifest.h"
-#include "sandbox/measure/sensitivity.h"
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/manifest.h"
+#include "sandbox/runs/sensitivity.h"
+#include "sandbox/runs/without_times.h"
 
 namespace plume {
 namespace {

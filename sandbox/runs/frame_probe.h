@@ -6,8 +6,8 @@
 //
 // Transmittances are luminances (Rec. 709), or all of them [r, g, b] where either curve is coloured. Numbers
 // have six digits.
-#ifndef PLUME_MEASURE_FRAME_PROBE_H
-#define PLUME_MEASURE_FRAME_PROBE_H
+#ifndef PLUME_RUNS_FRAME_PROBE_H
+#define PLUME_RUNS_FRAME_PROBE_H
 
 #include "sandbox/measure/pixel_probe.h"
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/measurement.h"
+#include "sandbox/runs/measurement.h"
 
 #include <fmt/format.h>
 
@@ -8,19 +8,19 @@
 #include <thread>
 
 #include "renderer/methods/methods.h"
-#include "sandbox/measure/build_info.h"
 #include "sandbox/measure/error_map.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/flip.h"
-#include "sandbox/measure/frame_probe.h"
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/inspector.h"
-#include "sandbox/measure/machine_load.h"
 #include "sandbox/measure/metrics.h"
 #include "sandbox/measure/picture.h"
-#include "sandbox/measure/repetitions.h"
 #include "sandbox/measure/shortfalls.h"
 #include "sandbox/presets/read_scene.h"
+#include "sandbox/runs/build_info.h"
+#include "sandbox/runs/frame_probe.h"
+#include "sandbox/runs/machine_load.h"
+#include "sandbox/runs/repetitions.h"
 #include "sandbox/scene/stage.h"
 
 namespace plume {

@@ -1,11 +1,11 @@
-#include "sandbox/measure/baseline.h"
+#include "sandbox/runs/baseline.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "sandbox/measure/times_alike.h"
+#include "sandbox/runs/times_alike.h"
 
 namespace plume {
 namespace {

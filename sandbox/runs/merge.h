@@ -1,11 +1,11 @@
 // Parts of one plan, drawn on several machines, put together as one machine would have left them.
-#ifndef PLUME_MEASURE_MERGE_H
-#define PLUME_MEASURE_MERGE_H
+#ifndef PLUME_RUNS_MERGE_H
+#define PLUME_RUNS_MERGE_H
 
 #include <filesystem>
 #include <vector>
 
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 
 namespace plume {
 

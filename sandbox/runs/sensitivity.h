@@ -8,12 +8,12 @@
 //
 // Limits: one step to each side, one parameter at a time, one picture. What two parameters do together, or
 // a longer way, is not seen, and another scene may say the contrary.
-#ifndef PLUME_MEASURE_SENSITIVITY_H
-#define PLUME_MEASURE_SENSITIVITY_H
+#ifndef PLUME_RUNS_SENSITIVITY_H
+#define PLUME_RUNS_SENSITIVITY_H
 
 #include <array>
 
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 #include "sandbox/scene/replay.h"
 
 namespace plume {

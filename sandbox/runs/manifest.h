@@ -1,15 +1,15 @@
 // results.json and results.csv of a run while it grows: what is known of each job of a plan, in the plan's
 // order. An interrupted run leaves what it had, and another goes on from there.
-#ifndef PLUME_MEASURE_MANIFEST_H
-#define PLUME_MEASURE_MANIFEST_H
+#ifndef PLUME_RUNS_MANIFEST_H
+#define PLUME_RUNS_MANIFEST_H
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
-#include "sandbox/measure/plan.h"
-#include "sandbox/measure/selection.h"
+#include "sandbox/runs/plan.h"
+#include "sandbox/runs/selection.h"
 
 namespace plume {
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

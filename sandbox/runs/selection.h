@@ -1,11 +1,11 @@
 // Which jobs of a plan a run draws: those of its shard, and of those the ones that are asked for by id.
-#ifndef PLUME_MEASURE_SELECTION_H
-#define PLUME_MEASURE_SELECTION_H
+#ifndef PLUME_RUNS_SELECTION_H
+#define PLUME_RUNS_SELECTION_H
 
 #include <string>
 #include <vector>
 
-#include "sandbox/measure/plan.h"
+#include "sandbox/runs/plan.h"
 
 namespace plume {
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/without_times.h"
+#include "sandbox/runs/without_times.h"
 
 #include <algorithm>
 #include <array>

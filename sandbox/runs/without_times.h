@@ -1,7 +1,7 @@
 // What two runs of one plan on one device and build must agree in, to the byte: everything in results.json
 // but times.
-#ifndef PLUME_MEASURE_WITHOUT_TIMES_H
-#define PLUME_MEASURE_WITHOUT_TIMES_H
+#ifndef PLUME_RUNS_WITHOUT_TIMES_H
+#define PLUME_RUNS_WITHOUT_TIMES_H
 
 #include <nlohmann/json.hpp>
 

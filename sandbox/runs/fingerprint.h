@@ -1,7 +1,7 @@
 // A short name for texts, to tell whether two are the same: 64 bits of FNV-1a (Fowler, Noll, Vo). Not safe
 // against those who want two texts to have the same.
-#ifndef PLUME_MEASURE_FINGERPRINT_H
-#define PLUME_MEASURE_FINGERPRINT_H
+#ifndef PLUME_RUNS_FINGERPRINT_H
+#define PLUME_RUNS_FINGERPRINT_H
 
 #include <cstdint>
 #include <string>

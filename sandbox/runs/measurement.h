@@ -1,16 +1,16 @@
 // Draws the jobs of a plan on the GPU and measures every method against the exact reference: the engine of
 // `compare` and `replay`. What a job leaves is a function of the job: nothing is carried on from one moment
 // to the next but what a recording's effects remember.
-#ifndef PLUME_MEASURE_MEASUREMENT_H
-#define PLUME_MEASURE_MEASUREMENT_H
+#ifndef PLUME_RUNS_MEASUREMENT_H
+#define PLUME_RUNS_MEASUREMENT_H
 
 #include <functional>
 #include <stdexcept>
 
 #include "renderer/gpu/pipelines.h"
-#include "sandbox/measure/manifest.h"
-#include "sandbox/measure/selection.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/runs/manifest.h"
+#include "sandbox/runs/selection.h"
 
 namespace plume {
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/manifest.h"
+#include "sandbox/runs/manifest.h"
 
 #include <fmt/format.h>
 

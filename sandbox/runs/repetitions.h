@@ -2,8 +2,8 @@
 // repetitions all stand at the same place on average, so that a machine that gets slower or faster evenly
 // does so for all of them alike, and each follows and precedes the same neighbours. That it does is told from
 // the repetitions themselves, on any device: a clock that sinks as the device warms looks like this.
-#ifndef PLUME_MEASURE_REPETITIONS_H
-#define PLUME_MEASURE_REPETITIONS_H
+#ifndef PLUME_RUNS_REPETITIONS_H
+#define PLUME_RUNS_REPETITIONS_H
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Which methods' own times a run does not tell apart, for people who read its table.
-#ifndef PLUME_MEASURE_TIMES_ALIKE_H
-#define PLUME_MEASURE_TIMES_ALIKE_H
+#ifndef PLUME_RUNS_TIMES_ALIKE_H
+#define PLUME_RUNS_TIMES_ALIKE_H
 
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 
 namespace plume {
 

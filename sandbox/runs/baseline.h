@@ -6,10 +6,10 @@
 //
 // Limits: `reference` itself has no ratio, so that of its time nothing is said. A ratio also differs between
 // devices of different make, so on another device errors are compared alone.
-#ifndef PLUME_MEASURE_BASELINE_H
-#define PLUME_MEASURE_BASELINE_H
+#ifndef PLUME_RUNS_BASELINE_H
+#define PLUME_RUNS_BASELINE_H
 
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 
 namespace plume {
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/machine_load.h"
+#include "sandbox/runs/machine_load.h"
 
 #include <fmt/format.h>
 

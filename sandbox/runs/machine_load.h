@@ -3,12 +3,12 @@
 //
 // Read from Linux's /proc and /sys; what is not told there is left out. Limits: the clocks of a GPU are not
 // looked at, those of the processors before and after only.
-#ifndef PLUME_MEASURE_MACHINE_LOAD_H
-#define PLUME_MEASURE_MACHINE_LOAD_H
+#ifndef PLUME_RUNS_MACHINE_LOAD_H
+#define PLUME_RUNS_MACHINE_LOAD_H
 
 #include <filesystem>
 
-#include "sandbox/measure/results.h"
+#include "sandbox/runs/results.h"
 
 namespace plume {
 

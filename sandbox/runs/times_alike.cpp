@@ -1,4 +1,4 @@
-#include "sandbox/measure/times_alike.h"
+#include "sandbox/runs/times_alike.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/sensitivity.h"
+#include "sandbox/runs/sensitivity.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

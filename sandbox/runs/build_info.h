@@ -1,6 +1,6 @@
 // Which build made a result.
-#ifndef PLUME_MEASURE_BUILD_INFO_H
-#define PLUME_MEASURE_BUILD_INFO_H
+#ifndef PLUME_RUNS_BUILD_INFO_H
+#define PLUME_RUNS_BUILD_INFO_H
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/frame_probe.h"
+#include "sandbox/runs/frame_probe.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sandbox/measure/selection.h"
+#include "sandbox/runs/selection.h"
 
 #include <fmt/format.h>
 
