@@ -47,7 +47,9 @@ rm -rf "$out"/*.png "$out"/session
 
 # ---- a desk: display, presets of one's own, folders of one's own -------------------------------------------------------------------------
 
-session=$out/session places=$session/places
+session=$out/session
+[ -z "$docs" ] || session=$(mktemp -d -t plume.XXX)   # is seen in the pictures
+places=$session/places
 mkdir -p "$session/display"
 cp -r presets "$session/presets"
 export PLUME_PRESETS=$session/presets PLUME_CONFIG=$session/config PLUME_CACHE=$session/cache
@@ -60,6 +62,7 @@ plume=''
 leave() {
   [ -z "$plume" ] || kill -KILL "$plume" 2>/dev/null || true
   kill "$xvfb" 2>/dev/null || true
+  [ -z "$docs" ] || rm -rf "$session"
 }
 trap leave EXIT
 
