@@ -261,11 +261,21 @@ std::string to_csv(const Results& results) {
 }
 
 std::string to_table(const Results& results) {
+  const auto differ = [&](auto part) {
+    return std::ranges::any_of(results.frames, [&](const FrameResult& frame) {
+      return part(frame) != part(results.frames.front());
+    });
+  };
+  const bool sizes = differ([](const FrameResult& f) { return std::pair(f.width, f.height); });
+  const bool seeds = differ([](const FrameResult& f) { return f.seed; });
   std::string table = fmt::format(
       "{:<16} {:>5}  {:<16} {:>9} {:>8} {:>7} {:>7} {:>9} {:>9} {:<6} {:>9}  {}\n", "scene", "tick", "method",
       "RMSE", "PSNR dB", "SSIM", "FLIP", "GPU ms", "own ms", "±", "MiB", "settings");
   for (const FrameResult& frame : results.frames) {
-    table += fmt::format("{:<16} {:>5}  {:<16} ", frame.scene, frame.tick, frame.method);
+    std::string scene = frame.scene;
+    if (sizes) scene += fmt::format(" {}x{}", frame.width, frame.height);
+    if (seeds) scene += fmt::format(" seed {}", frame.seed);
+    table += fmt::format("{:<16} {:>5}  {:<16} ", scene, frame.tick, frame.method);
     if (frame.status != "ok") {
       table += frame.status + "\n";
       continue;

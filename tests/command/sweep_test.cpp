@@ -34,6 +34,18 @@ TEST_F(SweepTest, SpansValuesOfParameters) {
                    "three_cards_000007_wboit-depth_scale-0.5-sums-half-weight-eq10"}));
 }
 
+TEST_F(SweepTest, TableTellsSizesAndSeedsApartWhereTheyDiffer) {
+  const auto table = [&](const std::string& sweep) {
+    write("sweep.toml",
+          "name = 'S'\nsize = [16, 9]\nframes = 1\nwarmup = 0\n[[sweep]]\nscenes = 'three_cards'\n" + sweep +
+              "[[sweep.method]]\nid = 'sorted'\n");
+    return run({"replay", "sweep.toml"}).out;
+  };
+  EXPECT_TRUE(says(table("sizes = [[32, 18], [16, 9]]\nseeds = [1, 2]\n"),
+                   {"three_cards 32x18 seed 1 ", "three_cards 16x9 seed 2 "}));
+  EXPECT_EQ(table("seeds = [3]\n").find("seed"), std::string::npos);
+}
+
 TEST_F(SweepTest, SpansScenesTicksSizesAndSeeds) {
   const Names ids = list(
       "[[sweep]]\nscenes = ['three_cards', 'glass']\nticks = {first = 1, last = 3}\nsizes = [[32, 18], [32, "

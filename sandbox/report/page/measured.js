@@ -10,12 +10,12 @@ const kErrors = {
   ssim: {name: '1 − SSIM', of: (error) => 1 - error.ssim, text: '1 − SSIM, structure'},
 };
 const kTimes = {
-  total: {name: 'whole frame', of: (frame) => frame.gpu_ms, range: (frame) => frame.gpu_ms_interval},
   own: {
     name: 'transparency alone',
     of: (frame) => frame.transparency_ms,
     range: (frame) => frame.transparency_ms_interval,
   },
+  total: {name: 'whole frame', of: (frame) => frame.gpu_ms, range: (frame) => frame.gpu_ms_interval},
 };
 const kExactBelow = 1e-6;
 

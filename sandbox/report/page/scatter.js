@@ -260,12 +260,15 @@ function tellFront(measured, front) {
   place.replaceChildren(
       element('strong', {}, `${front.length} of ${measured.length} worth their time`),
       `${isMean() ? ' over all frames' : ' here'}, from the fastest to the most accurate: `);
+  const isSure = (i) => !rangesMeet(front[i - 1].times[view.x], front[i].times[view.x]);
   front.forEach((row, i) => {
     place.append(
-        i ? ' → ' : '', element('strong', {class: 'on_front'}, row.id),
+        i ? (isSure(i) ? ' → ' : ' ~ ') : '', element('strong', {class: 'on_front'}, row.id),
         ` (${timeText(row.times[view.x].value)}, ${error(row)})`);
   });
   place.append('.');
+  if (front.some((_, i) => i && !isSure(i)))
+    place.append(' Of two with a ~ between them nobody knows which is faster.');
   const ranges = measured.some((row) => row.times[view.x].range);
   $('cost_note').textContent = ranges ?
       'Each bar holds the true median time with 95 % certainty: of two whose bars meet, nobody knows which is faster.' :

@@ -107,7 +107,7 @@ function drawTransmittance() {
            ' Methods with their defaults are here, and the one whose pictures are shown.' :
            '') +
       (beyond.length ?
-           ` Above 1 is cut off: ${beyond.join(', ')} knows no transmittance but weighs each thing by a guess, which may exceed 1.` :
+           ` Above 1 is not drawn: ${beyond.join(', ')} knows no transmittance but weighs each thing by a guess, which may be above 1 everywhere.` :
            '');
   depthMarksShown = marks;
   transmittance = new Chart($('transmittance'), {
@@ -138,8 +138,8 @@ function drawTransmittance() {
           display: true,
           labels: {
             sort: (a, b) => (a.text !== 'exact') - (b.text !== 'exact'),
-            usePointStyle: true,
-            pointStyle: 'line',
+            boxWidth: 28,
+            boxHeight: 0,
             color: css('--ink')
           }
         },
