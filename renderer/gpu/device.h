@@ -20,7 +20,8 @@ struct DeviceOptions {
   std::vector<const char*> instance_extensions;  ///< a window's needs
   std::vector<const char*> device_extensions;
   uint64_t memory_limit_bytes = 0;  ///< refuse to allocate beyond; 0 = the device's own limit
-  std::string fault;  ///< for tests: "device_lost@PASS", "out_of_memory@PASS", "crash@PASS", "missing@FEATURE"
+  std::string
+      fault;  ///< for tests: "device_lost@PASS", "out_of_memory@PASS", "crash@PASS", "missing@FEATURE"
 };
 
 struct DeviceInfo {

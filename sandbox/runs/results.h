@@ -90,7 +90,8 @@ nlohmann::json to_json(const Results& results);
 Results read_results(const std::filesystem::path& path);
 /// One line per frame; the passes' medians in columns of their own.
 std::string to_csv(const Results& results);
-/// A table for people: scene (with size and seed where frames differ in them), tick, method, error, time, memory.
+/// A table for people: scene (with size and seed where frames differ in them), tick, method, error, time,
+/// memory.
 std::string to_table(const Results& results);
 
 }  // namespace plume
