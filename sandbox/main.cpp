@@ -10,6 +10,7 @@
 #include "renderer/gpu/errors.h"
 #include "renderer/parameters.h"
 #include "sandbox/commands/command.h"
+#include "sandbox/commands/help.h"
 
 namespace {
 
@@ -46,7 +47,7 @@ int main(int argc, char** argv) {
   using namespace plume;
   CLI::App program("Plume: particle effects and order-independent transparency, measured.", "plume");
   program.require_subcommand(1);
-  program.get_formatter()->column_width(28);
+  program.formatter(std::make_shared<Help>());
   Run run;
   for (auto* add :
        {add_open, add_compare, add_replay, add_probe, add_inspect, add_diff, add_check, add_list, add_merge})

@@ -37,11 +37,14 @@ void add_compare(CLI::App& program, Run& run) {
       program.add_subcommand("compare", "accuracy and time of methods against the exact reference");
   command->add_option("SCENE", flags->scenes, "ids of `plume list scenes`, or files")->required();
   command->add_option("--methods", flags->methods, "all, or ids of `plume list methods`, comma-separated")
+      ->type_name("METHODS")
       ->delimiter(',')
       ->allow_extra_args(false);  // what follows is a scene
   command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")
+      ->type_name("TICK")
       ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--frames", flags->frames, "timed repetitions of each method")
+      ->type_name("N")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command->add_flag("--sensitivity", flags->sensitivity,

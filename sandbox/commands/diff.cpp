@@ -86,16 +86,22 @@ void add_diff(CLI::App& program, Run& run) {
   command->add_option("A", flags->a, "the reference")->required();
   command->add_option("B", flags->b, "the image to judge")->required();
   command->add_option("--max-rmse", flags->max_rmse, "exit 1 when the RMSE (linear) is over this")
+      ->type_name("X")
       ->check(finite);
   command->add_option("--max-abs", flags->max_abs, "exit 1 when any channel (linear) differs by more")
+      ->type_name("X")
       ->check(finite);
   command->add_option("--max-flip", flags->max_flip, "exit 1 when the mean FLIP error is over this")
+      ->type_name("X")
       ->check(finite);
   command->add_option("--min-psnr", flags->min_psnr, "exit 1 when the PSNR (displayed, dB) is under this")
+      ->type_name("X")
       ->check(finite);
   command->add_option("--min-ssim", flags->min_ssim, "exit 1 when the SSIM (displayed) is under this")
+      ->type_name("X")
       ->check(finite);
-  command->add_option("--error-map", flags->error_map, "write the FLIP map to this PNG, magma, 0 to 1");
+  command->add_option("--error-map", flags->error_map, "write the FLIP map to this PNG, magma, 0 to 1")
+      ->type_name("FILE");
   command->callback([flags, &run] { run = [flags] { return run_diff(*flags); }; });
 }
 

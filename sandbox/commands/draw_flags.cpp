@@ -65,20 +65,27 @@ glm::uvec2 parse_size(const std::string& text) {
 }
 
 void add_picture_flags(CLI::App& command, DrawFlags& flags) {
-  command.add_option_function<std::string>(
-      "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
-      "picture size, WxH, 1x1 to 16384x16384");
+  command
+      .add_option_function<std::string>(
+          "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
+          "picture size (1x1 to 16384x16384)")
+      ->type_name("WxH");
   command.add_option("--seed", flags.seed, "instead of the scene's")
+      ->type_name("N")
       ->check(CLI::Range(uint32_t(0), UINT32_MAX));
-  command.add_option("--device", flags.device,
-                     "part of a device's name, or its index in `plume list devices`");
-  command.add_option("--set", flags.set, "method.parameter=value; see `plume list methods`")
+  command
+      .add_option("--device", flags.device, "part of a device's name, or its index in `plume list devices`")
+      ->type_name("DEVICE");
+  command.add_option("--set", flags.set, "of a method; see `plume list methods`")
+      ->type_name("METHOD.PARAMETER=VALUE")
       ->allow_extra_args(false);
   command.add_flag("--validate", flags.validate,
                    "run with the Vulkan validation layer; any message makes the exit code 1");
-  command.add_option("--shaders", flags.shaders,
-                     "compile shaders from this folder instead of the embedded ones");
+  command
+      .add_option("--shaders", flags.shaders, "compile shaders from this folder instead of the embedded ones")
+      ->type_name("DIR");
   command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
+      ->type_name("MIB")
       ->check(CLI::Range(1, 1 << 24));
 }
 
@@ -92,11 +99,13 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
             flags.pixels.clear();
             for (const std::string& text : texts) flags.pixels.push_back(parse_pixel(text));
           },
-          "X,Y, repeatable: keep each method's transmittance over depth there, and the exact one")
+          "keep each method's transmittance over depth there, and the exact one; may be repeated")
+      ->type_name("X,Y")
       ->allow_extra_args(false);
   command.add_flag("--list", flags.list, "print the jobs, each with its id, and draw nothing")
       ->group(kThisRun);
-  command.add_option("--only", flags.only, "JOB of --list: draw this one alone; may be given again")
+  command.add_option("--only", flags.only, "of --list: draw this one alone; may be repeated")
+      ->type_name("JOB")
       ->allow_extra_args(false)
       ->group(kThisRun);
   command
@@ -106,13 +115,16 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
             const Shard part = parse_shard(text);
             flags.shard.index = part.index, flags.shard.count = part.count;
           },
-          "I/N: only the I-th of N parts of the ticks, from 0")
+          "only the I-th of N parts of the ticks, from 0")
+      ->type_name("I/N")
       ->group(kThisRun);
   command
       .add_option_function<std::string>(
           "--by", [&flags](const std::string& text) { flags.shard.by = parse_dealing(text); },
-          "turn, range or job: --shard deals ticks one after the other, in N parts that follow each other, "
-          "or each job of a tick by itself")
+          "--shard deals ticks one after the other (turn), in N parts that follow each other (range), or "
+          "each "
+          "job of a tick by itself (job)")
+      ->type_name("WAY")
       ->group(kThisRun);
   command
       .add_flag(
@@ -136,10 +148,12 @@ void add_output_flags(CLI::App& command, OutputFlags& flags, const std::string& 
   command
       .add_option("--report-limit", flags.report_limit_mib,
                   "MiB that report.html may have: pictures in it are made smaller to fit")
+      ->type_name("MIB")
       ->check(CLI::Range(1, 1 << 10))
       ->capture_default_str()
       ->group(group);
   command.add_option("--out", flags.out, "folder for images, results.json, results.csv, report.html")
+      ->type_name("DIR")
       ->capture_default_str()
       ->check([](const std::string& folder) { return folder.empty() ? "expected the name of a folder" : ""; })
       ->group(group);

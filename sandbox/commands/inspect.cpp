@@ -169,15 +169,21 @@ void add_inspect(CLI::App& program, Run& run) {
   CLI::App* command =
       program.add_subcommand("inspect", "a view of what a method did: one number a pixel, and their range");
   command->add_option("SCENE", flags->scene, "id of `plume list scenes`, or a file");
-  command->add_option("--view", flags->view, "what is looked at; see --list");
-  command->add_option("--method", flags->method, "id of `plume list methods`")->capture_default_str();
-  command->add_option("--slice", flags->slice, "of the views that have slices, from 0");
+  command->add_option("--view", flags->view, "what is looked at; see --list")->type_name("VIEW");
+  command->add_option("--method", flags->method, "id of `plume list methods`")
+      ->type_name("METHOD")
+      ->capture_default_str();
+  command->add_option("--slice", flags->slice, "of the views that have slices, from 0")->type_name("N");
   command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")
+      ->type_name("TICK")
       ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--out", flags->files, "FILE.png, coloured, or FILE.exr, the numbers; may be repeated")
+      ->type_name("FILE")
       ->allow_extra_args(false);
-  command->add_option("--range", flags->range,
-                      "of the colours; otherwise what the view can be, or what is found");
+  command
+      ->add_option("--range", flags->range,
+                   "of the colours; otherwise what the view can be, or what is found")
+      ->type_name("X");
   auto* logarithmic = command->add_flag("--log", flags->logarithmic, "colours by ratios");
   command->add_flag("--linear", flags->linear, "colours by steps")->excludes(logarithmic);
   command->add_flag("--list", flags->list, "the views of a method as it is set, and no picture");

@@ -225,15 +225,22 @@ void add_list(CLI::App& program, Run& run) {
         const bool found = std::find(known.begin(), known.end(), what) != known.end();
         return found ? "" : fmt::format("unknown list `{}`, {}", what, suggestion(what, known));
       });
-  command->add_option("--scene", flags->scene,
-                      "with effects: which instances of this scene are awake, why, and what they cost");
+  command
+      ->add_option("--scene", flags->scene,
+                   "with effects: which instances of this scene are awake, why, and what they cost")
+      ->type_name("SCENE");
   command->add_option("--at", flags->tick, "with --scene: tick, 1/60 s; otherwise the scene's own")
+      ->type_name("TICK")
       ->check(CLI::Range(0u, kMaxTick));
-  command->add_option("--device", flags->device,
-                      "with --scene: part of a device's name, or its index in `plume list devices`");
-  command->add_option_function<std::string>(
-      "--size", [flags](const std::string& text) { flags->size = parse_size(text); },
-      "picture size, WxH: of the methods' memory, or of what a scene's camera sees");
+  command
+      ->add_option("--device", flags->device,
+                   "with --scene: part of a device's name, or its index in `plume list devices`")
+      ->type_name("DEVICE");
+  command
+      ->add_option_function<std::string>(
+          "--size", [flags](const std::string& text) { flags->size = parse_size(text); },
+          "picture size: of the methods' memory, or of what a scene's camera sees")
+      ->type_name("WxH");
   command->add_flag("--json", flags->json, "everything, for programs");
   command->callback([flags, &run] { run = [flags] { return run_list(*flags); }; });
 }

@@ -164,15 +164,20 @@ void add_open(CLI::App& program, Run& run) {
   command
       ->add_option("--at", flags->tick,
                    "start at this tick, 1/60 s, and paused; otherwise the scene plays from its own")
+      ->type_name("TICK")
       ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--seed", flags->seed, "instead of the scene's")
+      ->type_name("N")
       ->check(CLI::Range(uint32_t(0), UINT32_MAX));
-  command->add_option("--device", flags->device,
-                      "part of a device's name, or its index in `plume list devices`");
+  command
+      ->add_option("--device", flags->device, "part of a device's name, or its index in `plume list devices`")
+      ->type_name("DEVICE");
   command->add_flag("--validate", flags->validate,
                     "run with the Vulkan validation layer; any message makes the exit code 1");
-  command->add_option("--shaders", flags->shaders,
-                      "compile shaders from this folder instead of the embedded ones");
+  command
+      ->add_option("--shaders", flags->shaders,
+                   "compile shaders from this folder instead of the embedded ones")
+      ->type_name("DIR");
   const std::string hidden;  // for tests
   command->add_option("--frames", flags->frames, "close after so many")
       ->check(CLI::Range(1, 1'000'000))

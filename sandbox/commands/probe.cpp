@@ -77,20 +77,26 @@ void add_probe(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand(
       "probe", "fragments of one pixel, and each method's transmittance over depth there");
   command->add_option("SCENE", flags->scene, "id of `plume list scenes`, or a file")->required();
-  command->add_option("--pixel", flags->pixel, "X,Y from the upper left, from 0")
+  command->add_option("--pixel", flags->pixel, "from the upper left, from 0")
+      ->type_name("X,Y")
       ->delimiter(',')
       ->expected(2)
       ->required();
   command->add_option("--methods", flags->methods, "all, or ids of `plume list methods`, comma-separated")
+      ->type_name("METHODS")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--at", flags->tick, "tick, 1/60 s; otherwise the scene's own")
+      ->type_name("TICK")
       ->check(CLI::Range(0, int(kMaxTick)));
   command->add_option("--depths", flags->depth_count, "how many depths are asked for")
+      ->type_name("N")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();
-  command->add_option("--range", flags->range,
-                      "nearest and farthest depth, m; otherwise around the pixel's fragments");
+  command
+      ->add_option("--range", flags->range,
+                   "nearest and farthest depth, m; otherwise around the pixel's fragments")
+      ->type_name("M");
   command->add_flag("--csv", flags->csv, "a line for each depth instead of JSON");
   command
       ->add_flag("--csv-fragments", flags->csv_fragments,

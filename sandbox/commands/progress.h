@@ -1,4 +1,5 @@
-// How far a run is, on standard error: one line that is rewritten on a terminal, plain lines in a pipe.
+// How far a run is, on standard error: one line that is rewritten on a terminal, plain lines in a pipe, where
+// what is not done yet is told of twice a minute.
 #ifndef PLUME_COMMANDS_PROGRESS_H
 #define PLUME_COMMANDS_PROGRESS_H
 
@@ -15,7 +16,8 @@ class Progress {
   void operator()(const Headway& headway);
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), told_ = start_;
   bool line_is_open_ = false;
 };
 

@@ -26,6 +26,7 @@ void add_baseline_flags(CLI::App& command, BaselineFlags& flags, const std::stri
   command
       .add_option("--baseline", flags.file,
                   "results.json of an earlier run: exit 1 where this one is less accurate or slower")
+      ->type_name("FILE")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -34,6 +35,7 @@ void add_baseline_flags(CLI::App& command, BaselineFlags& flags, const std::stri
             flags.tolerances.error = parse_tolerance("--tolerance-error", text, "");
           },
           "factor by which RMSE and FLIP may be above the baseline's [1.05]")
+      ->type_name("FACTOR")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -45,6 +47,7 @@ void add_baseline_flags(CLI::App& command, BaselineFlags& flags, const std::stri
               flags.tolerances.time = parse_tolerance("--tolerance-time", text, ", or off");
           },
           "the same of own times as ratios to the reference's [1.15], or off: then it need not be drawn")
+      ->type_name("FACTOR")
       ->group(group);
 }
 
@@ -54,6 +57,7 @@ std::optional<Results> read_baseline(const BaselineFlags& flags, const std::vect
   if (!draws_all)
     throw UsageError(
         "--baseline: only a part of the jobs is drawn, and the rest would be missing: draw all of them");
+  Results baseline = read_results(flags.file);
   if (flags.tolerances.time)
     for (const Replay& replay : replays)
       if (!replay.shots.empty() ||
@@ -62,7 +66,6 @@ std::optional<Results> read_baseline(const BaselineFlags& flags, const std::vect
             "--baseline: times are compared as ratios to that of `reference`, which {} does not draw beside "
             "each method: add it to the methods, or give --tolerance-time off",
             replay.id));
-  Results baseline = read_results(flags.file);
   require_ratios(baseline, flags.tolerances);
   return baseline;
 }

@@ -83,6 +83,10 @@ json environment_of(const gpu::Device& device) {
           {"cpu", processor.name},        {"cores", processor.cores}};
 }
 
+std::string name_of(const Stage& stage) {
+  return fmt::format("{} tick {}", stage.scene().id, stage.simulation().tick());
+}
+
 class Measurement {
  public:
   Measurement(gpu::Device& device, gpu::Pipelines& pipelines, const PresetLibrary& library, const Plan& plan,
@@ -122,8 +126,8 @@ class Measurement {
     if (headway_.done > 0) tell("kept from an earlier run");
   }
 
-  void tell(std::string what) {
-    headway_.what = std::move(what);
+  void tell(std::string what, double within = 0.0) {
+    headway_.what = std::move(what), headway_.within = within;
     if (options_.progress) options_.progress(headway_);
   }
 
@@ -194,7 +198,7 @@ class Measurement {
     take_notes();
     manifest_.write(Manifest::When::kSparingly);
     ++headway_.done, ++headway_.drawn;
-    tell(fmt::format("{} tick {}", moment.scene, moment.tick));
+    tell(name_of(stage));
   }
 
   DrawnPicture draw_reference(const Stage& stage, const Targets& targets) {
@@ -208,11 +212,14 @@ class Measurement {
   void draw_contenders(const Replay& replay, const Stage& stage, const Targets& targets,
                        std::span<Contender> contenders, std::span<const PixelProbe> marked) {
     std::vector<double> repetitions_ms;  // of all
-    for (uint32_t repetition = 0; repetition < replay.warmup + replay.frames; ++repetition)
+    const uint32_t repetitions = replay.warmup + replay.frames;
+    for (uint32_t repetition = 0; repetition < repetitions; ++repetition)
       for (size_t turn = 0; turn < contenders.size(); ++turn) {
         Contender& c = contenders[whose_turn(turn, contenders.size(), repetition)];
         if (!c.missing.empty()) continue;
         stop_if_interrupted();
+        if (const size_t drawings = repetition * contenders.size() + turn; drawings > 0)
+          tell(name_of(stage), double(drawings) / double(repetitions * contenders.size()));
         auto report =
             render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
         c.left_out = std::move(report.left_out);
@@ -229,9 +236,9 @@ class Measurement {
     if (const auto ratio = drift(repetitions_ms))
       drifts_.push_back(
           {"drift",
-           fmt::format("At {} tick {} the later half of the repetitions took {:.2f} times as long as "
-                       "the earlier: a clock or a load changed.",
-                       stage.scene().id, stage.simulation().tick(), *ratio)});
+           fmt::format("At {} the later half of the repetitions took {:.2f} times as long as the earlier: a "
+                       "clock or a load changed.",
+                       name_of(stage), *ratio)});
   }
 
   /// Times and errors stay those of the picture.

@@ -19,6 +19,7 @@ namespace plume {
 struct Headway {
   size_t done = 0, total = 0;
   size_t drawn = 0, to_draw = 0;  ///< by this run
+  double within = 0;              ///< how much of the next, which is not done yet: 0 to 1
   std::string what;
 };
 

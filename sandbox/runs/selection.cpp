@@ -21,9 +21,10 @@ bool is_of(const Shard& shard, size_t job, size_t moment, size_t moments) {
 
 [[noreturn]] void refuse(const std::string& id, const std::vector<std::string>& ids) {
   const std::string near = ids.size() <= kSuggested ? nearest(id, ids) : "";
-  throw std::runtime_error(fmt::format("--only {}: there is no such job, {}", id,
-                                       near.empty() ? std::string("expected one that --list prints")
-                                                    : fmt::format("did you mean `{}`?", near)));
+  throw std::runtime_error(
+      fmt::format("--only {}: there is no such job, {}", id,
+                  near.empty() ? fmt::format("expected one that --list prints, such as {}", ids.front())
+                               : fmt::format("did you mean `{}`?", near)));
 }
 
 }  // namespace

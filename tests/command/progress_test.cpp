@@ -40,6 +40,19 @@ TEST_F(ProgressTest, IsOneLineOnATerminal) {
                       "\r\x1b\\[K\\[4/4\\] three_cards tick 3 · done in \\d+s\r\n"));
 }
 
+TEST_F(ProgressTest, TellsOnATerminalHowMuchOfAMomentIsDrawn) {
+  write("long.toml",
+        "name = 'L'\nscene = 'three_cards'\nsize = [32, 18]\nframes = 200\nwarmup = 0\nticks = [0]\n"
+        "[[method]]\nid = 'sorted'\n");
+  const std::string command = "cd '" + at("").string() +
+                              "' && PLUME_CACHE=off script -qec \"'" PLUME_PROGRAM
+                              "' replay long.toml > table\" /dev/null < /dev/null > terminal";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(matches(read("terminal"),
+                      "(\r\x1b\\[K\\[0/1\\] three_cards tick 0, \\d+ % of it · [^\r]* left)+"
+                      "\r\x1b\\[K\\[1/1\\] three_cards tick 0 · done in \\d+s\r\n"));
+}
+
 TEST_F(ProgressTest, TellsWhatIsLeftFromWhatWasDrawnNow) {
   ASSERT_EQ(run({"replay", "script.toml", "--shard", "0/2"}).exit_code, 0);
   EXPECT_TRUE(matches(run({"replay", "script.toml", "--resume"}).err,

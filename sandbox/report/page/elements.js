@@ -16,6 +16,11 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/// Text whose `names` stand between backticks, as parts for element().
+function prose(text) {
+  return text.split('`').map((part, i) => i % 2 ? element('code', {}, part) : part);
+}
+
 /// Three figures that count, without exponents from 0.0001 on.
 function figure(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';

@@ -66,7 +66,8 @@ function drawPasses() {
                                      isMean() ? 'method, in ms, mean over all frames' :
                                                 'frame, in ms'}, cut into its passes; shorter is faster.` +
       (own ? ' What is the same for every method is left out.' :
-             ' Grey is the same for every method, so the coloured rest is what a method costs.');
+             ' Grey is the same work for every method, timed anew with each, so that it differs by chance, or where a ' +
+                 'method saves some of it; the coloured rest is what a method costs.');
   $('passes_key')
       .replaceChildren(...kinds.map(
           (kind) => element(

@@ -67,7 +67,7 @@ function drawPictures() {
                   [
                     element('strong', {}, `${shown.method}: ${method.title}.`),
                     ` ${method.source}. Known limits: ${method.limits}.`,
-                    ...(shown.frame.shortfalls ?? []).map((lack) => element('div', {}, lack)),
+                    ...(shown.frame.shortfalls ?? []).map((lack) => element('div', {}, ...prose(lack))),
                   ] :
                   []));
   $('thumbnails')

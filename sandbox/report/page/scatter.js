@@ -269,6 +269,13 @@ function tellFront(measured, front) {
   place.append('.');
   if (front.some((_, i) => i && !isSure(i)))
     place.append(' Of two with a ~ between them nobody knows which is faster.');
+  $('front_limits')
+      .replaceChildren(...[...new Set(front.map((row) => row.method))]
+                           .filter((method) => input.methods[method]?.limits)
+                           .map(
+                               (method) => element(
+                                   'li', {}, element('strong', {}, method),
+                                   `: ${input.methods[method].limits}.`)));
   const ranges = measured.some((row) => row.times[view.x].range);
   $('cost_note').textContent = ranges ?
       'Each bar holds the true median time with 95 % certainty: of two whose bars meet, nobody knows which is faster.' :

@@ -44,6 +44,8 @@ const kColumns = [
   },
 ];
 
+const kRowsInSight = 50;
+
 function methodCell(row) {
   const onFront = row.moment.front?.includes(row);
   return element(
@@ -55,8 +57,9 @@ function methodCell(row) {
 function timeCell(row, x) {
   if (!row.drawn) return '–';
   const {value, range} = row.times[x];
+  const isCertain = !range || range[0] === range[1];  // the baseline over itself
   return element(
-      'span', {}, figure(value), range ? element('span', {class: 'range'}, ` ${rangeText(range)}`) : '');
+      'span', {}, figure(value), isCertain ? '' : element('span', {class: 'range'}, ` ${rangeText(range)}`));
 }
 
 /// Time over that of plain sorted blending in the same moment.
@@ -134,8 +137,10 @@ function tableOf(of, columns, caption) {
                            },
                            'copy')) :
                    null));
+  const isLong = of.length > kRowsInSight;
+  if (isLong) caption = `${caption ?? 'All'}: ${of.length} rows, of which the rest is below: scroll.`;
   return element(
-      'div', {class: 'scroll', tabindex: '0'},
+      'div', {class: isLong ? 'scroll long' : 'scroll', tabindex: '0'},
       element(
           'table', {}, caption ? element('caption', {}, caption) : null,
           element('thead', {}, element('tr', {}, ...heads)), element('tbody', {}, ...body)));

@@ -76,8 +76,8 @@ function drawTransmittance() {
   const datasets = [{
     label: 'exact',
     data: points(first, first.exact),
-    borderColor: css('--ink'),
-    borderWidth: 3,
+    borderColor: css('--exact'),
+    borderWidth: 7,
     pointRadius: 0,
     stepped: 'middle',
     order: 1
