@@ -38,6 +38,7 @@ Manifest::Manifest(const Plan& plan, std::filesystem::path folder, std::string c
   std::error_code failure;
   std::filesystem::create_directories(folder_, failure);
   if (failure) throw FileError(folder_, failure.message());
+  lock_.emplace(folder_);
   head_.command = std::move(command);
   head_.plan = plan.id;
   head_.order = plan.order();

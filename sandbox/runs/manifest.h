@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "sandbox/runs/folder_lock.h"
 #include "sandbox/runs/plan.h"
 #include "sandbox/runs/selection.h"
 
@@ -15,7 +16,7 @@ namespace plume {
 
 class Manifest {
  public:
-  /// Makes the folder. Throws FileError.
+  /// Makes the folder. Throws FileError, and std::runtime_error where another run writes into it.
   Manifest(const Plan& plan, std::filesystem::path folder, std::string command);
 
   /// Takes over what an earlier run left in the folder, if any. Throws std::runtime_error when that is of
@@ -45,6 +46,7 @@ class Manifest {
  private:
   const Plan& plan_;
   std::filesystem::path folder_;
+  std::optional<FolderLock> lock_;                  // once the folder is there
   Results head_;                                    // without frames and moments
   std::vector<Note> earlier_notes_;                 // of a run that this one goes on from
   std::vector<std::optional<FrameResult>> frames_;  // of each job

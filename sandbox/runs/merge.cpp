@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "sandbox/measure/file_bytes.h"
+#include "sandbox/runs/folder_lock.h"
 #include "sandbox/runs/manifest.h"
 #include "sandbox/runs/sensitivity.h"
 #include "sandbox/runs/without_times.h"
@@ -139,6 +140,7 @@ Results merge(const std::vector<fs::path>& folders, const fs::path& out) {
   std::error_code failure;
   fs::create_directories(out, failure);
   if (failure) throw FileError(out, failure.message());
+  const FolderLock lock(out);
   for (const std::string& job : all.order) {
     const Drawn& found = drawn.at(job);
     for (const std::string& file : files_of(*found.frame))

@@ -1,6 +1,7 @@
 // Long jobs: split over machines, stopped by hand, gone on with later. The frames are those of one
 // undisturbed run.
 #include "sandbox/measure/image_io.h"
+#include "sandbox/runs/folder_lock.h"
 #include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
@@ -52,6 +53,22 @@ TEST_F(ResumeTest, ShardWithNothingToDoWritesEmptyResults) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(results()["frames"], json::array());
   EXPECT_TRUE(pictures().empty());
+}
+
+TEST_F(ResumeTest, AFolderThatAnotherRunWritesIntoIsRefused) {
+  fs::create_directory(at("out"));
+  {
+    const FolderLock other(at("out"));
+    const Outcome outcome = replay();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              "plume: another run is writing into out: wait until it ends, or choose another --out\n");
+    EXPECT_TRUE(files().empty());
+    EXPECT_EQ(replay({"--isolate"}).exit_code, 2);
+    ASSERT_EQ(replay({"--out", "part"}).exit_code, 0);
+    EXPECT_EQ(run({"merge", "part", "--out", "out"}).exit_code, 2);
+  }
+  EXPECT_EQ(replay({"--isolate"}).exit_code, 0);
 }
 
 TEST_F(ResumeTest, NothingIsDrawnAgainWhenAllIsThere) {
