@@ -19,6 +19,11 @@ function placeLabels(points, area, measure) {
       [point.x + 4, point.y + 8],
       [point.x - 4 - w, point.y - 8 - h],
       [point.x - 4 - w, point.y + 8],
+      ...[0.25, 0.75].flatMap((left) => [[point.x - left * w, point.y - 8 - h], [point.x - left * w, point.y + 8]]),
+      [point.to + 5, point.y + 2],
+      [point.to + 5, point.y - 2 - h],
+      [point.from - 5 - w, point.y + 2],
+      [point.from - 5 - w, point.y - 2 - h],
     ];
     const free = places.map(([x, y]) => ({x, y, w, h}))
                      .find(

@@ -101,7 +101,9 @@ const scatterDrawing = {
     const {front, measured, place} = plotted;
     ctx.save();
     ctx.textBaseline = 'alphabetic';
-    const points = [...front, ...measured.filter((row) => !front.includes(row))].map((row) => {
+    const others = measured.filter((row) => !front.includes(row));
+    const settled = others.filter((row) => row.settings === '');  // names of methods before those of settings
+    const points = [...front, ...settled, ...others.filter((row) => row.settings)].map((row) => {
       const at = place(row);
       const [from, to] =
           (row.times[view.x].range ?? [at.x, at.x]).map((end) => x.getPixelForValue(Math.max(end, x.min)));
@@ -250,6 +252,9 @@ function drawScatter() {
   });
   tellFront(measured, front);
   drawKey(measured);
+  const frame = $('scatter').parentElement.getBoundingClientRect();
+  document.documentElement.dataset.scatter =
+      `${Math.round(frame.top + scrollY)} ${Math.round(frame.height)}`;
 }
 
 /// The conclusion in words.
