@@ -9,7 +9,7 @@
 #   scripts/tour.sh --short           a few methods, a few resizes: for the tests
 #   scripts/tour.sh --program FILE    walks through that one and builds nothing
 #   scripts/tour.sh --out DIR         keeps the screenshots there
-#   scripts/tour.sh --docs            makes the pictures of docs/tour.md of them
+#   scripts/tour.sh --docs            makes the pictures of docs/window.md of them
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 root=$PWD short='' asan='' docs='' program='' out='' patience=60
