@@ -176,6 +176,27 @@ TEST_F(PeelTies, AreLostAndTheLossIsToldWhenDepthsAloneAreCompared) {
   expect_everywhere(drawn.linear, composite([](size_t place) { return place % 3 == 0; }), 1.0 / 2048);
 }
 
+TEST_F(PeelTest, TrianglesThatStandOnEdgeAreFound) {
+  // Their depth at a pixel is extrapolated over metres: what is tested and what is compared differ in more
+  // than the last bits.
+  for (const float half : {0.3f, 2.0f})
+    for (uint32_t i = 0; i < 400; ++i) {
+      const float yaw = 1.5f + 0.0003f * float(i);
+      add({.z = 4.0f + 0.01f * float(i % 90),
+           .optical_depth = 1.0f,
+           .color = glm::vec3(0.001f * float(i)),
+           .half_size = {half, 0.5f},
+           .at = {-1.8f + 0.009f * float(i), 0.0f},
+           .yaw = yaw});
+    }
+  size = {640, 24};
+  for (const char* id : {"peel", "peel_dual"}) {
+    const Drawn drawn = draw_peels(id);
+    EXPECT_EQ(drawn.statistics.at("missed_fragments"), 0) << id;
+    EXPECT_GT(drawn.statistics.at("fragments"), 20'000) << id;
+  }
+}
+
 TEST_F(PeelTest, WhatTheLimitOfLayersDropsIsCounted) {
   size = {16, 8};
   for (int i = 0; i < 7; ++i)
