@@ -1,6 +1,9 @@
 #include "sandbox/report/pictures.h"
 
+#include <webp/encode.h>
+
 #include <algorithm>
+#include <new>
 
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/small_picture.h"
@@ -9,6 +12,7 @@ namespace plume {
 namespace {
 
 constexpr int kLeastWidth = 160;  // pixels: with fewer, smoke is no longer to be judged
+constexpr float kQuality = 80;    // of 100
 
 std::string base64(const std::vector<uint8_t>& bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -27,10 +31,20 @@ uint64_t base64_size(uint64_t bytes) {
   return (bytes + 2) / 3 * 4;
 }
 
+std::vector<uint8_t> webp_bytes(const DisplayImage& image) {
+  uint8_t* encoded = nullptr;
+  const size_t size = WebPEncodeRGB(image.pixels.front().data(), image.width, image.height, 3 * image.width,
+                                    kQuality, &encoded);
+  if (size == 0) throw std::bad_alloc();  // a picture of this size fails for nothing else
+  std::vector<uint8_t> bytes(encoded, encoded + size);
+  WebPFree(encoded);
+  return bytes;
+}
+
 std::vector<uint8_t> divided(const std::filesystem::path& file, int divisor) {
   if (divisor == 1) return read_file(file);
   const DisplayImage whole = read_png(file);
-  return png_bytes(
+  return webp_bytes(
       small_picture(whole, {std::max(1, whole.width / divisor), std::max(1, whole.height / divisor)}));
 }
 
@@ -52,6 +66,7 @@ uint64_t PagePictures::bytes() const {
 
 PagePictures page_pictures(const std::filesystem::path& folder, const std::vector<std::string>& files,
                            uint64_t most_bytes) {
+  static_assert(sizeof(DisplayImage{}.pixels[0]) == 3);
   std::vector<std::string> present;  // --resume may keep frames whose pictures are gone
   for (const std::string& file : files)
     if (std::filesystem::exists(folder / file)) present.push_back(file);

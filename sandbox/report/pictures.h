@@ -11,18 +11,18 @@ namespace plume {
 
 struct PagePicture {
   std::string file;    ///< name beside the page
-  std::string base64;  ///< of a PNG; empty: left out
+  std::string base64;  ///< empty: left out
 };
 
 struct PagePictures {
   std::vector<PagePicture> all;
-  int divisor = 1;         ///< of width and height
+  int divisor = 1;         ///< of width and height; 1: the PNG files themselves, otherwise WebP
   size_t left_out = 0;     ///< for want of room
   uint64_t bytes() const;  ///< of base64
 };
 
-/// Those of `files` that are in `folder`. Halved, at least to some 160 pixels across, until their base64 has
-/// no more than `most_bytes`; the last ones are left out when that is not enough.
+/// Those of `files` that are in `folder`. Halved, at least to some 160 pixels across, and compressed with loss
+/// until their base64 has no more than `most_bytes`; the last ones are left out when that is not enough.
 PagePictures page_pictures(const std::filesystem::path& folder, const std::vector<std::string>& files,
                            uint64_t most_bytes);
 

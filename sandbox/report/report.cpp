@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/file_bytes.h"
@@ -67,13 +69,19 @@ json passes_of(const Results& results) {
   return passes;
 }
 
-/// Pictures before error maps: where room is short it is the maps that are left out.
+/// Pictures before error maps, and the first of each moment before the second of any: where room is short it
+/// is the maps that are left out, and no moment goes without.
 std::vector<std::string> picture_files(const Results& results) {
+  using Moment = std::tuple<std::string, uint32_t, uint32_t, uint32_t, uint32_t, uint32_t>;
+  std::map<Moment, size_t> met;
+  std::multimap<size_t, const FrameResult*> in_turn;
+  for (const FrameResult& f : results.frames)
+    in_turn.insert({met[{f.scene, f.tick, f.shot, f.width, f.height, f.seed}]++, &f});
   std::vector<std::string> files;
   std::set<std::string> known{""};
   for (const auto member : {&FrameResult::image, &FrameResult::error_map})
-    for (const FrameResult& frame : results.frames)
-      if (known.insert(frame.*member).second) files.push_back(frame.*member);
+    for (const auto& [turn, frame] : in_turn)
+      if (known.insert(frame->*member).second) files.push_back(frame->*member);
   return files;
 }
 
@@ -109,6 +117,7 @@ json page_data(const Results& results, const PagePictures& pictures) {
            {{"count", pictures.all.size()},
             {"bytes", pictures.bytes()},
             {"divisor", pictures.divisor},
+            {"format", pictures.divisor == 1 ? "png" : "webp"},
             {"left_out", pictures.left_out}}}};
 }
 

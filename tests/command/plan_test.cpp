@@ -1,4 +1,6 @@
 // What a run is going to draw, told before it is drawn and without a device; and one job of it alone.
+#include <set>
+
 #include "sandbox/runs/without_times.h"
 #include "tests/command/program.h"
 
@@ -41,6 +43,23 @@ TEST_F(PlanTest, ListsTheJobsAsJson) {
   EXPECT_EQ(list["jobs"].size(), 4u);
   EXPECT_EQ(list["jobs"][3], json::parse(R"({"job": "street_000060_wboit-weight-eq10", "scene": "street",
       "tick": 60, "shot": null, "size": [48, 27], "seed": 1, "method": "wboit", "settings": {"weight": "eq10"}})"));
+}
+
+TEST_F(PlanTest, IsAnotherWithOtherShadersFlagsOrSettings) {
+  fs::create_directory(at("shaders"));
+  write("shaders/a.glsl", "// one");
+  const auto id = [&](Arguments more) {
+    more.insert(more.end(), {"--list", "--json"});
+    return json::parse(replay(more, no_device_).out)["plan"]["id"].get<std::string>();
+  };
+  std::set<std::string> ids{id({}), id({"--shaders", "shaders"}), id({"--seed", "9"}),
+                            id({"--set", "sorted.order=cpu"})};
+  write("shaders/a.glsl", "// two");
+  ids.insert(id({"--shaders", "shaders"}));
+  fs::rename(at("shaders/a.glsl"), at("shaders/b.glsl"));
+  ids.insert(id({"--shaders", "shaders"}));
+  EXPECT_EQ(ids.size(), 6u);
+  EXPECT_TRUE(ids.contains(id({"--shaders", "shaders"})));
 }
 
 TEST_F(PlanTest, ResultsNameTheJobsOfTheList) {
@@ -115,6 +134,13 @@ TEST_F(PlanTest, AMarkedPixelLiesInEverySizeOfASweep) {
   const Outcome outside = replay({"--list", "--pixel", "16,8"}, no_device_);
   EXPECT_EQ(outside.exit_code, 2);
   EXPECT_TRUE(says(outside.err, {"pixel 16,8", "16x9 ends at 15,8"}));
+  write("shots.toml",
+        "name = 'S'\nscene = 'street'\nsize = [640, 360]\n[[shot]]\ntick = 1\nmethod = 1\n[[shot]]\ntick = "
+        "1\nmethod "
+        "= 1\nsize = [16, 9]\n[[method]]\nid = 'sorted'\n");
+  const Outcome shot = run({"replay", "shots.toml", "--list", "--pixel", "16,8"}, no_device_);
+  EXPECT_EQ(shot.exit_code, 2);
+  EXPECT_TRUE(says(shot.err, {"pixel 16,8", "16x9 ends at 15,8"}));
 }
 
 TEST_F(PlanTest, ShardsOfARangeFollowEachOther) {

@@ -38,7 +38,7 @@ function figure(value) {
 /// The same on an axis, where nothing is measured: 0.1 and not 0.100.
 function tickFigure(value) {
   const text = figure(value);
-  return /^-?\d+\.\d+$/.test(text) ? String(Number(text)) : text;
+  return /^-?\d+\.\d+$/.test(text) ? String(Number(text)) : text.replace('1.0·', '');
 }
 
 function bytesText(bytes) {

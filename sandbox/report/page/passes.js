@@ -67,7 +67,8 @@ function drawPasses() {
                                                 'frame, in ms'}, cut into its passes; shorter is faster.` +
       (own ? ' What is the same for every method is left out.' :
              ' Grey is the same work for every method, timed anew with each, so that it differs by chance, or where a ' +
-                 'method saves some of it; the coloured rest is what a method costs.');
+                 'method saves some of it; the coloured rest is what a method costs.') +
+      ' Two shades of one colour are two passes.';
   $('passes_key')
       .replaceChildren(...kinds.map(
           (kind) => element(
@@ -106,7 +107,7 @@ function drawPasses() {
       scales: {
         x: {
           stacked: true,
-          title: {display: true, text: '← faster      ms on the GPU', color: css('--ink')},
+          title: {display: true, text: '← faster      ms on the device', color: css('--ink')},
           grid: {color: css('--faint')}
         },
         y: {stacked: true, ticks: {autoSkip: false, color: css('--ink')}, grid: {display: false}},

@@ -2,7 +2,7 @@
 
 function pictureUrl(file) {
   const place = file && document.querySelector(`script[data-picture="${CSS.escape(file)}"]`);
-  return place ? `data:image/png;base64,${place.textContent}` : null;
+  return place ? `data:image/${input.pictures.format};base64,${place.textContent}` : null;
 }
 
 /// Rows with a picture in the moment that is shown; of the mean, in the first moment.
@@ -25,7 +25,10 @@ function setPicture(image, row, file, text) {
 
 function drawPictures() {
   const pictured = picturedRows();
-  $('pictures_section').hidden = !pictured.length;
+  const wanted = (isMean() ? moments[0] : shownMoment())?.rows.some((row) => row.drawn && row.frame.image);
+  $('pictures_section').hidden = !wanted;
+  $('pictured').hidden = !pictured.length;
+  $('no_pictures').hidden = pictured.length > 0;
   if (!pictured.length) return;
   const exact = pictured.find((row) => row.method === 'reference');
   const shown = pictured.find((row) => row.id === view.method) ??
@@ -82,7 +85,7 @@ function drawPictures() {
   document.documentElement.dataset.shown = `${shown.id} | ${against.id}`;
 }
 
-/// The error map, or the picture where there is none; decoded when it comes into view.
+/// Decoded when it comes into view.
 const seen = new IntersectionObserver((entries) => {
   for (const entry of entries)
     if (entry.isIntersecting) {
@@ -92,9 +95,7 @@ const seen = new IntersectionObserver((entries) => {
 }, {rootMargin: '300px'});
 
 function thumbnail(row) {
-  const file =
-      row.method !== 'reference' && pictureUrl(row.frame.error_map) ? row.frame.error_map : row.frame.image;
-  const image = element('img', {alt: '', 'data-file': file});
+  const image = element('img', {alt: '', 'data-file': row.frame.image});
   seen.observe(image);
   return image;
 }
@@ -142,7 +143,7 @@ function makeSlider() {
   $('pictures_note').textContent = `${count - leftOut} pictures, ${bytesText(bytes)} of this file.` +
       (divisor > 1 ?
            ` They are shown at 1/${
-               divisor} of their width and height, so that the page stays small; the whole ones are beside results.json.` :
+               divisor} of their width and height and compressed with loss, so that the page stays small; the whole ones are beside results.json.` :
            '') +
       (leftOut ? ` ${leftOut} more had no room and are only beside results.json.` : '');
 }

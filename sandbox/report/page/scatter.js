@@ -215,7 +215,7 @@ function drawScatter() {
           ...bounds.x,
           title: {
             display: true,
-            text: `← faster      ${narrow ? '' : 'GPU time, '}${kTimes[view.x].name}, ${unit}`,
+            text: `← faster      ${narrow ? '' : 'time on the device, '}${kTimes[view.x].name}, ${unit}`,
             color: css('--ink')
           },
           ticks: {callback: (value) => logTick(value, bounds.x), maxRotation: 0, autoSkipPadding: 10},

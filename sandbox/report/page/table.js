@@ -16,8 +16,7 @@ const kColumns = [
     frames: true,
     of: (row) => row.frame.error && (row.frame.error.psnr_db ?? Infinity),
     show: (row) => row.frame.error ?
-        (row.frame.error.psnr_db === null ? (row.frame.error.rmse === 0 ? '∞' : '–') :
-                                            row.frame.error.psnr_db.toFixed(2)) :
+        (row.frame.error.psnr_db === null ? '∞' : row.frame.error.psnr_db.toFixed(2)) :
         '–'
   },
   ...Object.keys(kTimes).map((x) => ({
@@ -169,8 +168,8 @@ function drawTable() {
             moment.rows, columns.filter((column) => !column.frames),
             timeUnit() === '×' ?
                 `Over all ${moments.length} frames: mean errors; times as geometric means of the ratio to ${
-                    kBaseline}` :
-                `Over all ${moments.length} frames: mean errors; geometric means of times`),
+                    kBaseline}; the most memory of any` :
+                `Over all ${moments.length} frames: mean errors; geometric means of times; the most memory of any`),
         tableOf(rows, columns, 'Every frame')
       ] :
       [tableOf(moment.rows, columns.filter((column) => column.id !== 'frame'))];
