@@ -56,7 +56,7 @@ void main() {
       ASSERT_GE(found[i].x, 0.0f);
       ASSERT_LT(found[i].x, float(v.virtual_slices)) << "depth " << depths[i];
       worst = std::max(worst, std::abs(expected - double(found[i].x)) / v.virtual_slices);
-      if (depths[i] >= 0.0f && expected < v.virtual_slices - 0.0011)
+      if (depths[i] >= 0.0f && expected < v.virtual_slices - 1.0)
         worst_back = std::max(worst_back, std::abs(double(found[i].y - depths[i])) / double(a + depths[i]));
     }
   }

@@ -80,6 +80,30 @@ TEST_F(AvboitHardCases, AnOpaqueCardDoesNotShineThroughWhatIsInFrontOfIt) {
         }
 }
 
+TEST_F(AvboitHardCases, WhatLiesBehindTheLastSliceLeavesTheOthersAlone) {
+  // The last slice has none after it that a share could go to.
+  size = {24, 16};
+  const double end = double(avboit::Settings().curve_b);
+  for (const bool is_rgb : {false, true})
+    for (const double far : {0.9999 * end, end, 1.3 * end, 40 * end}) {
+      SCOPED_TRACE(testing::Message() << "depth " << far << " rgb " << is_rgb);
+      clear_cards();
+      for (int i = 0; i < 10; ++i)
+        add({.z = 0.5f * std::exp2(float(i)),
+             .optical_depth = 0.3f,
+             .color = {0.1f * float(i % 5), 0.4f, 0.1f * float(i % 3)},
+             .transmission = is_rgb ? glm::vec3(0.2f, 0.1f, 0.0f) : glm::vec3(0.0f),
+             .half_size = glm::vec2(4000.0f)});
+      add({.z = float(far),
+           .optical_depth = 0.3f,
+           .color = {0.8f, 0.1f, 0.1f},
+           .half_size = glm::vec2(1e5f)});
+      const auto exact = draw_cards("reference").linear.pixels, drawn = draw_cards("avboit").linear.pixels;
+      for (size_t i = 0; i < drawn.size(); ++i)
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(exact[i][c], drawn[i][c], 1.0f / 255) << "pixel " << i;
+    }
+}
+
 TEST_F(AvboitHardCases, ManyCardsInOneSliceAddUpAndDoNotTurnBlack) {
   size = {8, 8};
   for (const char* splat : {"packed8", "packed8_exchange", "packed8_overflow", "packed16", "words32"})

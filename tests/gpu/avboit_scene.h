@@ -94,7 +94,7 @@ struct Warp {
 inline double virtual_slice(const shared::Volume& v, uint32_t slices, double depth) {
   const double at =
       slices * std::log2(1.0 + std::max(depth, 0.0) / double(v.curve_a)) / double(v.curve_octaves);
-  return std::clamp(at, 0.0, double(slices) - 0.001);
+  return std::clamp(at, 0.0, double(slices) - 1.0);
 }
 
 inline double slice_at(const shared::Volume& v, const Warp& warp, double depth) {

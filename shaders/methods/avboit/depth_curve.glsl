@@ -4,9 +4,9 @@
 #define PLUME_AVBOIT_DEPTH_CURVE_GLSL
 #include "methods/avboit/volume.h"
 
-// Clamped to the volume: what lies behind the last slice is in it.
+// Clamped to where the last slice begins: what lies in it or behind it is there, since a share of it would go to a slice after the last.
 float virtual_slice(Volume v, uint slices, float scale, float depth) {
-  return clamp(scale * log2(1.0 + max(depth, 0.0) / v.curve_a), 0.0, float(slices) - 0.001);
+  return clamp(scale * log2(1.0 + max(depth, 0.0) / v.curve_a), 0.0, float(slices) - 1.0);
 }
 
 // Depth, m, at which a virtual slice begins.
