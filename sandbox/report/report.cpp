@@ -9,43 +9,13 @@
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/pass_groups.h"
-#include "sandbox/report/page_files.h"
+#include "sandbox/report/page.h"
 #include "sandbox/report/pictures.h"
 
 namespace plume {
 namespace {
 
 using nlohmann::json;
-
-/// JSON that may stand in a <script>: a `<` in a string could end it.
-std::string script_json(const json& value) {
-  std::string text;
-  for (const char c : value.dump(-1, ' ', false, json::error_handler_t::replace))
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  return text;
-}
-
-/// An attribute's value; names of scenes are whatever a file is called.
-std::string attribute(std::string_view text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
 
 /// What is known of the methods and passes that appear.
 json methods_of(const Results& results) {
@@ -134,38 +104,16 @@ std::string picture_elements(const PagePictures& pictures) {
   return text;
 }
 
-std::string_view page_file(std::string_view name) {
-  for (const PageFile& file : page_files())
-    if (file.name == name) return file.text;
-  throw std::logic_error("the report's page names " + std::string(name) + ", which is not embedded");
-}
-
-/// Replaces every {{NAME}} of the page by the file of that name, or by what is made here.
-std::string filled(std::string_view page, const std::string& data, const std::string& pictures) {
-  std::string text;
-  for (size_t from = 0;;) {
-    const size_t begin = page.find("{{", from), end = page.find("}}", begin);
-    text += page.substr(from, begin - from);
-    if (begin == std::string_view::npos) return text;
-    const std::string_view name = page.substr(begin + 2, end - begin - 2);
-    text += name == "data"       ? std::string_view(data)
-            : name == "pictures" ? std::string_view(pictures)
-                                 : page_file(name);
-    from = end + 2;
-  }
-}
-
 }  // namespace
 
 void write_report(const std::filesystem::path& path, const Results& results, uint64_t most_bytes) {
-  uint64_t fixed = script_json(page_data(results, {})).size();
-  for (const PageFile& file : page_files()) fixed += file.text.size();
   const std::vector<std::string> files = picture_files(results);
+  uint64_t fixed = assemble_page("page.html", page_data(results, {}), "").size();
   for (const std::string& file : files) fixed += file.size() + 64;  // its element
   const PagePictures pictures =
       page_pictures(path.parent_path(), files, most_bytes > fixed ? most_bytes - fixed : 0);
   const std::string page =
-      filled(page_file("page.html"), script_json(page_data(results, pictures)), picture_elements(pictures));
+      assemble_page("page.html", page_data(results, pictures), picture_elements(pictures));
   write_file(path, {reinterpret_cast<const uint8_t*>(page.data()), page.size()});
 }
 
