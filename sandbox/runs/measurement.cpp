@@ -17,7 +17,7 @@
 #include "sandbox/measure/picture.h"
 #include "sandbox/measure/shortfalls.h"
 #include "sandbox/presets/read_scene.h"
-#include "sandbox/runs/build_info.h"
+#include "sandbox/runs/environment.h"
 #include "sandbox/runs/frame_probe.h"
 #include "sandbox/runs/machine_load.h"
 #include "sandbox/runs/repetitions.h"
@@ -73,14 +73,6 @@ json demand_json(const Stage& stage) {
   json result = plume::demand_json(stage.demand());
   result["state_hash"] = fmt::format("{:016x}", stage.simulation().state_hash());
   return result;
-}
-
-json environment_of(const gpu::Device& device) {
-  const Processor processor = read_processor();
-  return {{"device", device.info().name}, {"driver", device.info().driver},
-          {"api", device.info().api},     {"build", build_name()},
-          {"commit", build_commit()},     {"threads", std::thread::hardware_concurrency()},
-          {"cpu", processor.name},        {"cores", processor.cores}};
 }
 
 std::string name_of(const Stage& stage) {
