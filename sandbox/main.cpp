@@ -49,8 +49,8 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<Help>());
   Run run;
-  for (auto* add :
-       {add_open, add_compare, add_replay, add_probe, add_inspect, add_diff, add_check, add_list, add_merge})
+  for (auto* add : {add_open, add_compare, add_replay, add_probe, add_inspect, add_diff, add_check, add_list,
+                    add_merge, add_stress})
     add(program, run);
   try {
     auto arguments = with_open(program, {argv + 1, argv + argc});

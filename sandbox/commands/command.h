@@ -104,6 +104,7 @@ void add_diff(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_list(CLI::App& program, Run& run);
 void add_merge(CLI::App& program, Run& run);
+void add_stress(CLI::App& program, Run& run);
 
 /// The arguments with the command `open` where it was left out: with none at all, and before the name of a
 /// scene.

@@ -10,7 +10,7 @@ class HelpTest : public ProgramTest, public testing::WithParamInterface<const ch
 
 INSTANTIATE_TEST_SUITE_P(Commands, HelpTest,
                          testing::Values("open", "compare", "replay", "probe", "inspect", "merge", "diff",
-                                         "check", "list"),
+                                         "check", "list", "stress"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST_P(HelpTest, NamesValuesAndFitsATerminal) {

@@ -1,0 +1,54 @@
+// Cards that stand where one puts them, on the device: hard cases need depths, coverages and orders that no
+// effect gives. Seen from the origin, which looks along -z.
+#ifndef PLUME_STRESS_CARD_STAGE_H
+#define PLUME_STRESS_CARD_STAGE_H
+
+#include <vector>
+
+#include "renderer/frame.h"
+#include "renderer/seen_cards.h"
+#include "sandbox/scene/opaque.h"
+#include "shaders/shared/card.h"
+
+namespace plume {
+
+struct PlacedCard {
+  double z = 5.0;  ///< view depth of its middle, m
+  float optical_depth = 0.5f;
+  glm::vec3 color{0.0f}, transmission{0.0f}, emission{0.0f};
+  glm::vec2 half_size{1e3f};  ///< m
+  glm::vec2 at{0.0f};         ///< of its middle, m right and up
+  float yaw = 0.0f, pitch = 0.0f;
+  bool sharp = true;  ///< as glass and discs are to methods that ask; smoke is not
+};
+
+/// The optical depth that covers so much; 1 is the largest there is.
+float optical_depth_of(double coverage);
+
+struct CardScene {
+  std::vector<PlacedCard> cards;
+  glm::vec3 background{0.0f};
+  std::vector<Solid> solids;
+  float near_m = 0.1f, far_m = 500.0f, vertical_fov_deg = 50.0f;
+  bool puffs = false;  ///< smoke thins towards its edges; otherwise it is as dense there as in its middle
+  uint32_t order = 0;  ///< 0: drawn as they stand in the list; otherwise shuffled, each number another way
+};
+
+class CardStage {
+ public:
+  CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const CardScene& scene, glm::uvec2 size);
+  CardStage(const CardStage&) = delete;  // transparents() points into it
+
+  Prelude prelude() const;
+  const Transparents& transparents() const { return transparents_; }
+
+ private:
+  OpaqueScene opaque_;
+  gpu::Image texture_;
+  gpu::Buffer view_, cards_, order_;
+  SeenCards seen_;
+  Transparents transparents_;
+};
+
+}  // namespace plume
+#endif
