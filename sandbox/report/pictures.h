@@ -21,8 +21,8 @@ struct PagePictures {
   uint64_t bytes() const;  ///< of base64
 };
 
-/// Those of `files` that are in `folder`. Halved, at least to some 160 pixels across, and compressed with loss
-/// until their base64 has no more than `most_bytes`; the last ones are left out when that is not enough.
+/// Those of `files` that are in `folder`. Halved, at least to some 160 pixels across, and compressed with
+/// loss until their base64 has no more than `most_bytes`; the last ones are left out when that is not enough.
 PagePictures page_pictures(const std::filesystem::path& folder, const std::vector<std::string>& files,
                            uint64_t most_bytes);
 
