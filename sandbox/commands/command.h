@@ -55,7 +55,9 @@ struct DrawFlags : OutputFlags {
 glm::uvec2 parse_size(const std::string& text);
 
 void add_output_flags(CLI::App& command, OutputFlags& flags, const std::string& group);
-/// Those that say what is drawn, and on what.
+/// Those that say on what methods run, and how they are set.
+void add_device_flags(CLI::App& command, DrawFlags& flags);
+/// Those, and the ones that say what is drawn.
 void add_picture_flags(CLI::App& command, DrawFlags& flags);
 /// Those, and the ones that say which frames and where they go.
 void add_draw_flags(CLI::App& command, DrawFlags& flags);

@@ -64,15 +64,7 @@ glm::uvec2 parse_size(const std::string& text) {
   return {*width, *height};
 }
 
-void add_picture_flags(CLI::App& command, DrawFlags& flags) {
-  command
-      .add_option_function<std::string>(
-          "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
-          "picture size (1x1 to 16384x16384)")
-      ->type_name("WxH");
-  command.add_option("--seed", flags.seed, "instead of the scene's")
-      ->type_name("N")
-      ->check(CLI::Range(uint32_t(0), UINT32_MAX));
+void add_device_flags(CLI::App& command, DrawFlags& flags) {
   command
       .add_option("--device", flags.device, "part of a device's name, or its index in `plume list devices`")
       ->type_name("DEVICE");
@@ -87,6 +79,18 @@ void add_picture_flags(CLI::App& command, DrawFlags& flags) {
   command.add_option("--memory-limit", flags.memory_limit_mib, "MiB of device memory that may be used")
       ->type_name("MIB")
       ->check(CLI::Range(1, 1 << 24));
+}
+
+void add_picture_flags(CLI::App& command, DrawFlags& flags) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&flags](const std::string& text) { flags.size = parse_size(text); },
+          "picture size (1x1 to 16384x16384)")
+      ->type_name("WxH");
+  command.add_option("--seed", flags.seed, "instead of the scene's")
+      ->type_name("N")
+      ->check(CLI::Range(uint32_t(0), UINT32_MAX));
+  add_device_flags(command, flags);
 }
 
 void add_draw_flags(CLI::App& command, DrawFlags& flags) {
@@ -122,8 +126,7 @@ void add_draw_flags(CLI::App& command, DrawFlags& flags) {
       .add_option_function<std::string>(
           "--by", [&flags](const std::string& text) { flags.shard.by = parse_dealing(text); },
           "--shard deals ticks one after the other (turn), in N parts that follow each other (range), or "
-          "each "
-          "job of a tick by itself (job)")
+          "each job of a tick by itself (job)")
       ->type_name("WAY")
       ->group(kThisRun);
   command

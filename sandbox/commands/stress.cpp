@@ -94,6 +94,31 @@ std::filesystem::path write_files(const std::filesystem::path& folder, const nlo
   return folder / "report.html";
 }
 
+struct Tally {
+  nlohmann::json rows = nlohmann::json::array();
+  std::array<size_t, std::size(kVerdictNames)> counts{};
+};
+
+/// Takes the findings of a case into the tally, and prints those that say more than that a method passed.
+void tell(const StressCase& hard, const std::vector<MethodRun>& methods,
+          const std::vector<std::optional<StressFinding>>& findings, bool quiet, Tally& tally) {
+  std::vector<std::string> passed;
+  if (!quiet) fmt::print("{}: {}\n", hard.id, hard.title);
+  for (size_t i = 0; i < methods.size(); ++i) {
+    const auto method = make_method(methods[i].id);
+    const Row row{hard, methods[i], findings[i], bound_of(hard, *method),
+                  verdict_of(hard, *method, findings[i])};
+    ++tally.counts[size_t(row.verdict)];
+    tally.rows.push_back(to_json(row));
+    if (row.verdict == Verdict::kPassed)
+      passed.push_back(methods[i].id);
+    else if (!quiet)
+      print(row);
+  }
+  if (!quiet && !passed.empty()) fmt::print("  {:<11} {}\n", "passed", fmt::join(passed, ", "));
+  std::fflush(stdout);
+}
+
 int run_stress(const StressFlags& flags) {
   const std::vector<StressCase> cases = asked_cases(flags.cases);
   if (flags.list) {
@@ -109,40 +134,24 @@ int run_stress(const StressFlags& flags) {
   const PresetLibrary library(preset_root());
   GpuSession session(flags);
   StressRun stress(session.device, session.pipelines, library);
-  nlohmann::json told = nlohmann::json::array();
-  std::array<size_t, std::size(kVerdictNames)> counts{};
+  Tally tally;
   for (const StressCase& hard : cases) {
     if (is_interrupted()) throw Interrupted();
-    const auto findings = stress.run(hard, methods);
-    std::vector<std::string> passed;
-    if (!flags.json) fmt::print("{}: {}\n", hard.id, hard.title);
-    for (size_t i = 0; i < methods.size(); ++i) {
-      const auto method = make_method(methods[i].id);
-      const Row row{hard, methods[i], findings[i], bound_of(hard, *method),
-                    verdict_of(hard, *method, findings[i])};
-      ++counts[size_t(row.verdict)];
-      told.push_back(to_json(row));
-      if (row.verdict == Verdict::kPassed)
-        passed.push_back(methods[i].id);
-      else if (!flags.json)
-        print(row);
-    }
-    if (!flags.json && !passed.empty()) fmt::print("  {:<11} {}\n", "passed", fmt::join(passed, ", "));
-    std::fflush(stdout);
+    tell(hard, methods, stress.run(hard, methods), flags.json, tally);
   }
   const nlohmann::json all{{"environment", environment_of(session.device)},
                            {"command", shell_text(asked_arguments(*flags.command))},
                            {"cases", describe(cases)},
-                           {"rows", std::move(told)}};
+                           {"rows", std::move(tally.rows)}};
   const std::filesystem::path report = write_files(flags.out, all);
   if (flags.json)
     fmt::print("{}\n", all.dump(2));
   else {
-    for (size_t v = 0; v < counts.size(); ++v)
-      if (counts[v]) fmt::print("{}: {}\n", kVerdictNames[v], counts[v]);
+    for (size_t v = 0; v < tally.counts.size(); ++v)
+      if (tally.counts[v]) fmt::print("{}: {}\n", kVerdictNames[v], tally.counts[v]);
     fmt::print("report: {}\n", report.string());
   }
-  const bool held = counts[size_t(Verdict::kFailed)] + counts[size_t(Verdict::kGone)] == 0;
+  const bool held = tally.counts[size_t(Verdict::kFailed)] + tally.counts[size_t(Verdict::kGone)] == 0;
   return std::max<int>(held ? kDone : kToleranceExceeded, report_validation(session.device));
 }
 
@@ -163,18 +172,7 @@ void add_stress(CLI::App& program, Run& run) {
   command->add_option("--out", flags->out, "folder for stress.json and report.html")
       ->type_name("DIR")
       ->capture_default_str();
-  command
-      ->add_option("--device", flags->device, "part of a device's name, or its index in `plume list devices`")
-      ->type_name("DEVICE");
-  command->add_option("--set", flags->set, "of a method; see `plume list methods`")
-      ->type_name("METHOD.PARAMETER=VALUE")
-      ->allow_extra_args(false);
-  command->add_flag("--validate", flags->validate,
-                    "run with the Vulkan validation layer; any message makes the exit code 1");
-  command
-      ->add_option("--shaders", flags->shaders,
-                   "compile shaders from this folder instead of the embedded ones")
-      ->type_name("DIR");
+  add_device_flags(*command, *flags);
   command->callback([flags, &run] { run = [flags] { return run_stress(*flags); }; });
 }
 
