@@ -3,7 +3,10 @@
 #include <webp/encode.h>
 
 #include <algorithm>
+#include <map>
 #include <new>
+#include <set>
+#include <tuple>
 
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/small_picture.h"
@@ -62,6 +65,20 @@ uint64_t PagePictures::bytes() const {
   uint64_t sum = 0;
   for (const PagePicture& picture : all) sum += picture.base64.size();
   return sum;
+}
+
+std::vector<std::string> picture_files(const Results& results) {
+  using Moment = std::tuple<std::string, uint32_t, uint32_t, uint32_t, uint32_t, uint32_t>;
+  std::map<Moment, size_t> met;
+  std::multimap<size_t, const FrameResult*> in_turn;
+  for (const FrameResult& f : results.frames)
+    in_turn.insert({met[{f.scene, f.tick, f.shot, f.width, f.height, f.seed}]++, &f});
+  std::vector<std::string> files;
+  std::set<std::string> known{""};
+  for (const auto member : {&FrameResult::image, &FrameResult::error_map})
+    for (const auto& [turn, frame] : in_turn)
+      if (known.insert(frame->*member).second) files.push_back(frame->*member);
+  return files;
 }
 
 PagePictures page_pictures(const std::filesystem::path& folder, const std::vector<std::string>& files,

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sandbox/runs/results.h"
+
 namespace plume {
 
 struct PagePicture {
@@ -20,6 +22,10 @@ struct PagePictures {
   size_t left_out = 0;     ///< for want of room
   uint64_t bytes() const;  ///< of base64
 };
+
+/// Files of a report: pictures before error maps, and the first of each moment before the second of any:
+/// where room is short it is the maps that are left out, and no moment goes without.
+std::vector<std::string> picture_files(const Results& results);
 
 /// Those of `files` that are in `folder`. Halved, at least to some 160 pixels across, and compressed with
 /// loss until their base64 has no more than `most_bytes`; the last ones are left out when that is not enough.

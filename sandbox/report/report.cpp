@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <set>
-#include <tuple>
-
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/pass_groups.h"
@@ -37,22 +33,6 @@ json passes_of(const Results& results) {
                            {"common", is_common(pass.name)}};
     }
   return passes;
-}
-
-/// Pictures before error maps, and the first of each moment before the second of any: where room is short it
-/// is the maps that are left out, and no moment goes without.
-std::vector<std::string> picture_files(const Results& results) {
-  using Moment = std::tuple<std::string, uint32_t, uint32_t, uint32_t, uint32_t, uint32_t>;
-  std::map<Moment, size_t> met;
-  std::multimap<size_t, const FrameResult*> in_turn;
-  for (const FrameResult& f : results.frames)
-    in_turn.insert({met[{f.scene, f.tick, f.shot, f.width, f.height, f.seed}]++, &f});
-  std::vector<std::string> files;
-  std::set<std::string> known{""};
-  for (const auto member : {&FrameResult::image, &FrameResult::error_map})
-    for (const auto& [turn, frame] : in_turn)
-      if (known.insert(frame->*member).second) files.push_back(frame->*member);
-  return files;
 }
 
 /// Six digits of every number, which is what eyes can use; results.json has the others.

@@ -28,7 +28,7 @@ struct ErrorSummary {
 
 /// One method with one set of settings on one tick of one scene.
 struct FrameResult {
-  std::string job;  ///< its id, one of a kind in the plan (measure/plan.h)
+  std::string job;  ///< its id, one of a kind in the plan (runs/plan.h)
   std::string scene;
   uint32_t tick = 0;
   uint32_t shot = 0;  ///< of a recording, counted from 1; 0: of none

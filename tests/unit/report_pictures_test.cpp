@@ -61,6 +61,17 @@ class ReportPictures : public testing::Test {
   fs::path folder_;
 };
 
+TEST(ReportPictureFiles, OfEveryMomentComeBeforeTheSecondOfAnyAndMapsLast) {
+  Results results;
+  for (const char* scene : {"a", "b"})
+    for (const char* method : {"x", "y"})
+      results.frames.push_back({.scene = scene,
+                                .method = method,
+                                .image = std::string(scene) + method,
+                                .error_map = std::string(method) == "x" ? "" : std::string(scene) + "!"});
+  EXPECT_EQ(picture_files(results), (std::vector<std::string>{"ax", "bx", "ay", "by", "a!", "b!"}));
+}
+
 TEST_F(ReportPictures, AreTheFilesThemselvesWhereThereIsRoom) {
   const PagePictures pictures = taken(1 << 20);
   ASSERT_EQ(pictures.all.size(), 2u) << "one that is gone is left out";
