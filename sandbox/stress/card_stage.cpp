@@ -14,6 +14,7 @@ namespace plume {
 namespace {
 
 constexpr uint32_t kTextureSeed = 1;
+constexpr uint64_t kMostBytesOfACard = 144;  // that a method keeps in one buffer
 
 glm::uvec2 pack_half4(glm::vec3 v) {
   return {glm::packHalf2x16({v.x, v.y}), glm::packHalf2x16({v.z, 0.0f})};
@@ -49,20 +50,46 @@ shared::ViewData view_of(const CardScene& scene, glm::uvec2 size) {
   return make_view(room, camera, size, 0);
 }
 
+/// Sprites of a hundredth of a pixel, smooth, before the tile that holds the picture's middle.
+void add_crowd(std::vector<shared::Card>& cards, uint32_t count, float fov_deg, glm::uvec2 size) {
+  constexpr uint32_t kTile = 8;
+  std::mt19937 random(7);
+  const auto between = [&](float low, float high) {
+    return low + (high - low) * float(random() % 65536) / 65536.0f;
+  };
+  const glm::vec2 middle = glm::vec2(size) / 2.0f, corner = glm::vec2(size / 2u / kTile * kTile) - middle;
+  const float pixel = 2 * std::tan(glm::radians(fov_deg) / 2) / float(size.y);  // at 1 m
+  cards.reserve(cards.size() + count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const float z = between(2, 20);
+    const glm::vec2 at = corner + float(kTile) * glm::vec2(between(0, 1), between(0, 1));
+    cards.push_back(card_of({.z = double(z),
+                             .optical_depth = between(0.1f, 0.6f),
+                             .color = {between(0, 1), between(0, 1), between(0, 1)},
+                             .half_size = glm::vec2(0.01f * pixel * z),
+                             .at = pixel * z * glm::vec2(at.x, -at.y),
+                             .sharp = false}));
+  }
+}
+
 struct Sorted {
   std::vector<shared::Card> cards;  ///< at least one
   uint32_t scalar = 0, rgb = 0;
 };
 
-/// By source, as transparents want them.
-Sorted by_source(const CardScene& scene) {
+/// By source, as transparents want them; `most` of them.
+Sorted by_source(const CardScene& scene, glm::uvec2 size, uint64_t most) {
   Sorted sorted;
-  for (const Source source : {Source::kScalar, Source::kRgb})
+  const auto add = [&](Source source) {
     for (const PlacedCard& card : scene.cards)
-      if (source_of(card.transmission) == source) {
-        sorted.cards.push_back(card_of(card));
-        ++(source == Source::kRgb ? sorted.rgb : sorted.scalar);
-      }
+      if (source_of(card.transmission) == source) sorted.cards.push_back(card_of(card));
+  };
+  add(Source::kScalar);
+  add_crowd(sorted.cards, uint32_t(std::min<uint64_t>(scene.crowd, most - scene.cards.size())),
+            scene.vertical_fov_deg, size);
+  sorted.scalar = uint32_t(sorted.cards.size());
+  add(Source::kRgb);
+  sorted.rgb = uint32_t(sorted.cards.size()) - sorted.scalar;
   if (sorted.cards.empty()) sorted.cards.push_back({});
   return sorted;
 }
@@ -96,7 +123,7 @@ CardStage::CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const CardS
                         .usage = vk::ImageUsageFlagBits::eSampled}),
       view_(gpu::make_buffer(device, "scene", "view", std::vector{view_of(scene, size)})),
       seen_(device) {
-  const Sorted sorted = by_source(scene);
+  const Sorted sorted = by_source(scene, size, pipelines.limits().maxStorageBufferRange / kMostBytesOfACard);
   cards_ = gpu::make_buffer(device, "scene", "cards", sorted.cards);
   order_ = gpu::make_buffer(device, "scene", "submission", submission_of(sorted, scene.order));
   transparents_ = {.cards = &cards_,

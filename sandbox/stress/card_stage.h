@@ -31,6 +31,9 @@ struct CardScene {
   std::vector<Solid> solids;
   float near_m = 0.1f, far_m = 500.0f, vertical_fov_deg = 50.0f;
   bool puffs = false;  ///< smoke thins towards its edges; otherwise it is as dense there as in its middle
+  /// So many more smooth sprites of a hundredth of a pixel, all in the tile of 8 x 8 pixels that holds the
+  /// picture's middle: as many of them as a buffer of the device holds.
+  uint32_t crowd = 0;
   uint32_t order = 0;  ///< 0: drawn as they stand in the list; otherwise shuffled, each number another way
 };
 

@@ -10,6 +10,8 @@ using Against = StressCase::Against;
 
 constexpr glm::vec3 kPure[] = {{0.8f, 0.05f, 0.05f}, {0.05f, 0.8f, 0.05f}, {0.05f, 0.05f, 0.8f}};
 
+const double kSlices = avboit::Settings().virtual_slice_count();
+
 /// Where a slice of AVBOIT's finest begins at its defaults, m.
 double slice_depth(double slice) {
   const avboit::Settings defaults;
@@ -23,33 +25,35 @@ double slice_at(double depth) {
   return (depth + a) * (std::pow(1 + b / a, 1.0 / defaults.virtual_slice_count()) - 1);
 }
 
-StressCase slice_boundaries() {
-  StressCase made{.id = "slice_boundaries",
-                  .title = "layers on boundaries of slices, on the first and on the last",
-                  .trouble = "a boundary belongs to one slice or the other by a rounding",
-                  .against = Against::kExact,
-                  .pictures = {}};
-  const double last = avboit::Settings().virtual_slice_count();
-  for (const auto& [name, slice] :
-       std::initializer_list<std::pair<const char*, double>>{{"first", 30.0},
-                                                             {"middle", last / 2},
-                                                             {"last but two", last - 3},
-                                                             {"last", last - 1},
-                                                             {"beyond", last + 40}})
-    for (const double off : {-1e-5, 0.0, 1e-5})
-      for (StressPicture& picture : sharp_and_smooth(
-               std::string(name) + (off < 0   ? ", before"
-                                    : off > 0 ? ", behind"
-                                              : ""),
-               [&](bool sharp) {
-                 return CardScene{.cards = {layer(slice_depth(slice) * (1 + off), 0.7, kPure[0], sharp),
-                                            layer(slice_depth(slice + 2) * (1 + off), 0.7, kPure[1], sharp)},
-                                  .background = {0.2f, 0.3f, 0.5f},
-                                  .solids = {},
-                                  .far_m = 5000};
-               }))
+/// Two layers, two slices apart, around each of these slices: just before its beginning, on it and just
+/// behind.
+StressCase layers_at(const char* id, const char* title, const char* trouble,
+                     std::initializer_list<std::pair<const char*, double>> slices) {
+  StressCase made{.id = id, .title = title, .trouble = trouble, .against = Against::kExact, .pictures = {}};
+  for (const auto& [name, slice] : slices)
+    for (const auto& [where, off] : {std::pair(", before", -1e-5), {"", 0.0}, {", behind", 1e-5}})
+      for (StressPicture& picture :
+           sharp_and_smooth(std::string(name) + where, [&, by = 1 + off](bool sharp) {
+             return CardScene{.cards = {layer(slice_depth(slice) * by, 0.7, kPure[0], sharp),
+                                        layer(slice_depth(slice + 2) * by, 0.7, kPure[1], sharp)},
+                              .background = {0.2f, 0.3f, 0.5f},
+                              .solids = {},
+                              .far_m = 5000};
+           }))
         made.pictures.push_back(std::move(picture));
   return made;
+}
+
+StressCase slice_boundaries() {
+  return layers_at("slice_boundaries", "layers on boundaries of slices, from the first on",
+                   "a boundary belongs to one slice or the other by a rounding",
+                   {{"first", 0.0}, {"middle", kSlices / 2}, {"last but three", kSlices - 4}});
+}
+
+StressCase last_slice() {
+  return layers_at("last_slice", "layers on the last slice and behind it",
+                   "all that lies farther than the volume reaches is in one slice",
+                   {{"last but two", kSlices - 3}, {"last", kSlices - 1}, {"beyond", kSlices + 40}});
 }
 
 StressCase equal_depths() {
@@ -121,7 +125,7 @@ StressCase depth_range() {
             .cards = {}, .background = {0.2f, 0.3f, 0.5f}, .solids = {}, .near_m = 0.005f, .far_m = 40'000};
         for (int i = 0; i < 14; ++i)
           scene.cards.push_back(layer(0.01 * std::pow(3.2e6, i / 13.0), 0.25, kPure[i % 3], sharp));
-        for (PlacedCard& card : scene.cards) card.half_size = glm::vec2(1e6f);
+        for (PlacedCard& card : scene.cards) card.half_size = glm::vec2(10.0f * float(card.z));
         return scene;
       })};
 }
@@ -130,6 +134,7 @@ StressCase depth_range() {
 
 std::vector<StressCase> depth_cases() {
   return {slice_boundaries(),
+          last_slice(),
           equal_depths(),
           close_panes(),
           three_cards("three_cards", "three near-opaque cards two slices apart, from 1 to 500 m", 2.0, 0.998),

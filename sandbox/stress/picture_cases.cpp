@@ -75,6 +75,51 @@ StressCase picture_sizes() {
   return made;
 }
 
+/// A dense puff before a layer near behind it or far away, and before a wall that hides half of both.
+StressCase silhouettes() {
+  StressCase made{
+      .id = "silhouettes",
+      .title = "edges of smoke before what is near and what is far, at each of 64 alignments with a cell",
+      .trouble = "what is kept for a cell of 8 pixels is of its middle, and edges are pixels wide",
+      .against = Against::kExact,
+      .pictures = {}};
+  const glm::uvec2 size(66, 50);
+  const double pixel = 2 * std::tan(glm::radians(25.0)) / size.y;  // at a depth of 1 m
+  for (const auto& [name, behind] : {std::pair("near", 5.5), {"far", 200.0}})
+    for (int at = 0; at < 64; ++at) {
+      CardScene scene{
+          .cards = {layer(5, 0.9, {0.7f, 0.7f, 0.7f}, false), layer(behind, 0.6, {0.1f, 0.3f, 0.7f}, false)},
+          .background = {0.9f, 0.5f, 0.1f},
+          .solids = {},
+          .puffs = true};
+      scene.cards[0].half_size = glm::vec2(1.2f);
+      scene.cards[0].at = 5.0f * float(pixel) * glm::vec2(at % 8, at / 8);
+      scene.cards[1].half_size = glm::vec2(4.0f * float(behind));
+      Solid wall;
+      wall.position = {-3.0f, 0.0f, -5.3f};
+      wall.size_m = {6.0f, 20.0f, 0.1f};
+      scene.solids = {wall};
+      made.pictures.push_back(
+          {.name = std::string(name) + ", " + std::to_string(at % 8) + "," + std::to_string(at / 8),
+           .size = size,
+           .cards = std::move(scene)});
+    }
+  return made;
+}
+
+StressCase crowd() {
+  return {
+      .id = "crowd",
+      .title = "four million sprites in a tile of 8 x 8 pixels, or as many as a buffer of the device holds",
+      .trouble = "one tile has all the work, and nearly none of it is seen",
+      .against = Against::kExact,
+      .pictures = {{.name = "",
+                    .cards = {.cards = {layer(30, 0.5, {0.1f, 0.6f, 0.9f}, false)},
+                              .background = {0.2f, 0.3f, 0.5f},
+                              .solids = {},
+                              .crowd = 4'000'000}}}};
+}
+
 StressCase nothing() {
   return {.id = "nothing",
           .title = "no effect at all",
@@ -88,7 +133,7 @@ StressCase nothing() {
 }  // namespace
 
 std::vector<StressCase> picture_cases() {
-  return {near_plane(), sprite_sizes(), picture_sizes(), nothing()};
+  return {near_plane(), sprite_sizes(), silhouettes(), crowd(), picture_sizes(), nothing()};
 }
 
 }  // namespace plume::stress
