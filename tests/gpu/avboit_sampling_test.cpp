@@ -47,7 +47,7 @@ void main() {
          {"VolumeBlock", buffer("volume")},
          {"WarpTable", buffer("warp")},
          {"Layers", buffer("layers")},
-         {"LayerTail", buffer("layer_tail")},
+         {"LayerTails", buffer("layer_tails")},
          {"integral", image("integral")},
          {"integral_rg", image("integral_rg")},
          {"integral_b", image("integral_b")},

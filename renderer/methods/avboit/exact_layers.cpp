@@ -5,11 +5,12 @@
 namespace plume::avboit {
 
 void add_exact_layers_needs(Needs& needs, const Plan& plan) {
-  const uint64_t layers = uint64_t(plan.size.x) * plan.size.y * plan.volume.exact_layers;
-  needs.buffers.push_back(
-      {.name = "layers", .bytes = std::max<uint64_t>(layers * 8, 8), .clear = shared::kNoLayer});
-  needs.buffers.push_back({.name = "layer_tail",
-                           .bytes = 4 + (layers > 0 ? uint64_t(plan.size.x) * plan.size.y * 4 : 0),
+  const uint64_t pixels = plan.volume.exact_layers > 0 ? uint64_t(plan.size.x) * plan.size.y : 0;
+  needs.buffers.push_back({.name = "layers",
+                           .bytes = std::max<uint64_t>(pixels * plan.volume.exact_layers * 8, 8),
+                           .clear = shared::kNoLayer});
+  needs.buffers.push_back({.name = "layer_tails",
+                           .bytes = 4 + std::max<uint64_t>(pixels, 1) * sizeof(shared::LayerTail),
                            .clear = 0});
   needs.buffers.push_back({.name = "layers_start", .bytes = plan.tiles() * 4, .clear = shared::kNoSlice});
 }
@@ -25,7 +26,7 @@ void record_exact_layers(const Picture& picture, const Plan& plan) {
                .opaque_depth = &picture.opaque_depth,
                .area = picture.area(),
                .constants = {plan.volume.exact_layers},
-               .bindings = {{"Layers", buffer("layers")}, {"LayerTail", buffer("layer_tail")}},
+               .bindings = {{"Layers", buffer("layers")}, {"LayerTails", buffer("layer_tails")}},
                .order = buffer("source_order"),
                .indirect = buffer("source_draws"),
                .indirect_index = shared::kIntoLayers});

@@ -25,7 +25,7 @@ nlohmann::json statistics(gpu::Device& device, const Resources& resources, const
     result["rgb_rays_carried"] = noted(carries, rgb.end());
   }
   if (plan.watches_overlap()) result["pixels_sharing_a_slice"] = words("flagged")[0];
-  if (plan.volume.exact_layers > 0) result["layers_merged"] = words("layer_tail").back();
+  if (plan.volume.exact_layers > 0) result["layers_merged"] = words("layer_tails").front();
   if (plan.settings.zero_depth != ZeroDepth::kOff) result["zero_tiles"] = words("zero_draw")[1];
   return result;
 }

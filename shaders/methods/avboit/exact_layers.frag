@@ -1,6 +1,6 @@
 // AVBOIT, exact layers: a fragment of a sharp card is inserted among the nearest of its pixel. Each slot takes the minimum and hands
 // the displaced key on, so that whatever the order, the slots end as the nearest in order. What falls off the end is counted and
-// merged into one tail behind the last slot: the sum of its optical depths, one value for all channels.
+// merged into the tail of its pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
@@ -12,11 +12,17 @@
 layout(early_fragment_tests) in;
 layout(constant_id = 0) const uint kLayers = 4u;
 layout(scalar, binding = 12) buffer Layers { uint64_t layers[]; };   // [layer][pixel]
-layout(scalar, binding = 13) buffer LayerTail { uint tail[]; };      // [pixel], kTailSteps a unit; then how many fragments in all
+layout(scalar, binding = 13) buffer LayerTails { uint merged; LayerTail tails[]; };   // fragments in tails, in all; [pixel]
 
-void merge_into_tail(uint pixel, uint pixels, uint packed) {
-  atomicAdd(tail[pixel], uint(tail_depth(packed) * kTailSteps + 0.5));
-  atomicAdd(tail[pixels], 1u);
+void merge_into_tail(uint pixel, float depth, vec3 optical_depth) {
+  atomicAdd(merged, 1u);
+  atomicMax(tails[pixel].before, ~floatBitsToUint(depth));
+  atomicMax(tails[pixel].farthest, floatBitsToUint(depth));
+  const uvec3 steps = uvec3(optical_depth * kTailSteps + 0.5);
+  const float mean = float(steps.r + steps.g + steps.b) / 3.0;
+  if (tails[pixel].places < kTailFull) atomicAdd(tails[pixel].places, uint(mean * tail_place(depth) + 0.5));
+  for (uint c = 0u; c < 3u; ++c)
+    if (tails[pixel].depth[c] < kTailFull) atomicAdd(tails[pixel].depth[c], steps[c]);
 }
 
 void main() {
@@ -30,5 +36,5 @@ void main() {
     key = max(old, key);
     if (key == 0xfffffffffffffffful) return;
   }
-  merge_into_tail(pixel, pixels, uint(key));
+  merge_into_tail(pixel, layer_depth(uint(key >> 32)), tail_depth(uint(key)));
 }

@@ -45,7 +45,8 @@ vec3 probe_transmittance(uvec2 pixel, float depth) {
   if (bare) t = around_light(pixel, depth);
   else t = around_fragment(pixel, depth, sharp);
   if (volume.exact_layers > 0u) {
-    const vec3 layers_t = layers_in_front(pixel, depth, bare ? 0u : probed.card, sharp ? tail_depth(pack_layer(probed.transmittance)) : 0.0);
+    bool estimated;
+    const vec3 layers_t = layers_in_front(pixel, depth, bare ? 0u : probed.card, sharp ? tail_depth(pack_layer(probed.transmittance)) : vec3(0.0), estimated);
     t *= kEachChannel != 0u ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
   }
   return t;

@@ -16,7 +16,7 @@ layout(binding = 10) uniform sampler2DArray integral;      // (before, behind) e
 layout(binding = 11) uniform sampler2DArray integral_rg;   // (r before, r behind, g before, g behind)
 layout(binding = 12) uniform sampler2DArray integral_b;
 layout(scalar, binding = 13) readonly buffer Layers { uvec2 layers[]; };   // [layer][pixel]: (transmittance, place)
-layout(scalar, binding = 14) readonly buffer LayerTail { uint tail[]; };
+layout(scalar, binding = 14) readonly buffer LayerTails { uint merged; LayerTail tails[]; };
 
 // Nodes in front of and behind a slice, a row a channel.
 mat3x2 nodes_of(vec2 uv, uint slice) {
@@ -48,12 +48,30 @@ vec3 value_at(vec2 uv, float place) {
   return vec3(w.x * before[0].x, w.x * before[1].x, w.x * before[2].x) + w.yz * here + vec3(w.w * behind[0].y, w.w * behind[1].y, w.w * behind[2].y);
 }
 
-// What a fragment of optical depth `own` is seen through in a tail of which it is a part: all of the tail counts as mixed in one
-// place, where each covers in proportion to its optical depth, and together 1 - exp(-tail).
-float seen_in_tail(float whole, float own) { return (1.0 - exp(-whole)) * own / (max(whole, own) * (1.0 - exp(-own))); }
+// How much of the tail's optical depth lies in front of a depth: a power of the place between its nearest and its farthest, the one
+// that gives the mean of what fell into it.
+float tail_in_front(LayerTail tail, float depth) {
+  const float nearest = tail_place(uintBitsToFloat(~tail.before)), farthest = tail_place(uintBitsToFloat(tail.farthest));
+  const float whole = (float(tail.depth.r) + float(tail.depth.g) + float(tail.depth.b)) / 3.0, length = max(farthest - nearest, 1e-9);
+  const float mean = clamp((float(tail.places) / max(whole, 1.0) - nearest) / length, 0.1, 0.9);
+  return pow(clamp((tail_place(depth) - nearest) / length, 0.0, 1.0), mean / (1.0 - mean));
+}
 
-// What the exact layers in front of a fragment of card `id` leave; `own` is its optical depth as it may be in the tail, or 0.
-vec3 layers_in_front(uvec2 pixel, float depth, uint id, float own) {
+// What a fragment of optical depth `own`, 0 for what is not a part of it, is seen through in the tail. Where all of the tail stands in one
+// place, each covers in proportion to its optical depth, and together 1 - exp(-whole); otherwise half of its own counts in front of it.
+vec3 tail_transmittance(LayerTail tail, float depth, vec3 own) {
+  const vec3 whole = vec3(tail.depth) / kTailSteps;
+  const bool in_one_place = ~tail.before == tail.farthest, outside = own == vec3(0.0);
+  if (in_one_place && !outside) {
+    const vec3 part = max(own, vec3(1e-4)), all = max(whole, part);
+    return (1.0 - exp(-all)) * part / (all * (1.0 - exp(-part)));
+  }
+  return exp(-max(tail_in_front(tail, depth) * whole - 0.5 * own, 0.0));
+}
+
+// What the exact layers in front of a fragment of card `id` leave; `own` is its optical depth if it is sharp, or 0. Tells whether it may
+// itself be in the tail, so that its weight is an estimate.
+vec3 layers_in_front(uvec2 pixel, float depth, uint id, vec3 own, out bool estimated) {
   vec3 t = vec3(1.0);
   const uint plane = view.size.x * view.size.y, first = pixel.y * view.size.x + pixel.x;
   uint k = 0u;
@@ -62,9 +80,8 @@ vec3 layers_in_front(uvec2 pixel, float depth, uint id, float own) {
     if (!layer_in_front(layer.y, depth, id)) break;
     t *= unpack_layer(layer.x);
   }
-  if (k == 0u || k < volume.exact_layers) return t;
-  const float whole = float(tail[first]) / kTailSteps;
-  return t * (own > 0.0 && whole > 0.0 ? seen_in_tail(whole, own) : exp(-whole));
+  estimated = k > 0u && k == volume.exact_layers && tails[first].before != 0u;
+  return estimated ? t * tail_transmittance(tails[first], depth, own) : t;
 }
 
 // Where along the ray the integral is read for a fragment whose place is p, both in slices. A slice's optical depth is spread over it, so
