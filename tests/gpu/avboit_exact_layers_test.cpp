@@ -268,8 +268,7 @@ TEST_F(AvboitExactLayers, MakeAPictureThatIsTheExactCompositeOfAsManyPanes) {
       add(card);
     }
     const DrawnPicture reference = draw_cards("reference"),
-                       drawn = draw_cards(
-                           "avboit", {{"exact_layers", std::to_string(layers)}, {"accumulation", "32f"}});
+                       drawn = draw_cards("avboit", {{"exact_layers", std::to_string(layers)}});
     // Of each layer in front, the transmittance is rounded to one of 1023; sums to half floats.
     for (size_t i = 0; i < drawn.linear.pixels.size(); ++i)
       for (int c = 0; c < 3; ++c)

@@ -29,7 +29,7 @@ class AvboitParameters : public AvboitTest {
     each("sampling", {"point", "linear", "quadratic", "cubic"});
     each("colour", {"mono", "total_extinction", "skew", "first_event"});
     each("exact_layers", {"0", "2", "8"});
-    each("accumulation", {"32f"});
+    each("accumulation", {"16f", "deterministic"});
     each("zero_depth", {"off", "fullscreen"});
     each("sparse", {"false"});
     each("normalise", {"false"});

@@ -10,42 +10,55 @@ vk::Format sum_format(Accumulation accumulation) {
     case Accumulation::kHalf:
       return vk::Format::eR16G16B16A16Sfloat;
     case Accumulation::kFloat:
+    case Accumulation::kDeterministic:
       return vk::Format::eR32G32B32A32Sfloat;
   }
   throw std::logic_error("unknown accumulation");
 }
 
+bool keeps_float(Accumulation accumulation) {
+  return accumulation == Accumulation::kFloat || accumulation == Accumulation::kDeterministic;
+}
+
+/// Of the sum of weights: it loses what is thinner than its rounding as the sum of light does.
+vk::Format norm_format(Accumulation accumulation) {
+  return keeps_float(accumulation) ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat;
+}
+
 /// Of transmittance: the short floats of 11:11:10 would lose it.
 vk::Format through_format(Accumulation accumulation) {
-  return accumulation == Accumulation::kFloat ? vk::Format::eR32G32B32A32Sfloat : kHdrFormat;
+  return keeps_float(accumulation) ? vk::Format::eR32G32B32A32Sfloat : kHdrFormat;
 }
 
 }  // namespace
 
 void add_accumulate_needs(Needs& needs, const Plan& plan) {
   const vk::Format format = sum_format(plan.settings.accumulation);
+  const vk::Format norm = norm_format(plan.settings.accumulation);
   const vk::Format through = through_format(plan.settings.accumulation);
   const auto add = [&](const char* name, vk::Format of, uint32_t divisor, vk::ImageUsageFlags usage) {
     needs.images.push_back({.name = name, .format = of, .usage = usage, .divisor = divisor});
   };
   const uint32_t half = plan.settings.half_particles ? 2 : kNowhere;
+  const bool each_channel = plan.coloured || plan.settings.accumulation == Accumulation::kDeterministic;
   add("light", format, 1, kTargetUsage);
-  add("norm", vk::Format::eR16Sfloat, 1, kTargetUsage);
-  add("norm_rgb", format, plan.coloured ? 1 : kNowhere, kTargetUsage);
+  add("norm", norm, 1, kTargetUsage);
+  add("norm_rgb", format, each_channel ? 1 : kNowhere, kTargetUsage);
   add("through", through, 1, kTargetUsage);
   add("known_light", through, 1, kTargetUsage);
   add("known_norm", through, 1, kTargetUsage);
   add("light_half", format, half, kTargetUsage);
-  add("norm_half", vk::Format::eR16Sfloat, half, kTargetUsage);
-  add("norm_rgb_half", format, plan.coloured ? half : kNowhere, kTargetUsage);
+  add("norm_half", norm, half, kTargetUsage);
+  add("norm_rgb_half", format, each_channel ? half : kNowhere, kTargetUsage);
   add("through_half", through, half, kTargetUsage);
+  add_sums_needs(needs, plan);
 }
 
 gpu::Bindings transmittance_bindings(const Picture& picture) {
   const auto image = [&](const char* name) { return &picture.resources.image(name); };
   const auto buffer = [&](const char* name) { return &picture.resources.buffer(name); };
   return {{"VolumeBlock", buffer("volume")},  {"WarpTable", buffer("warp")},
-          {"Layers", buffer("layers")},       {"LayerTail", buffer("layer_tail")},
+          {"Layers", buffer("layers")},       {"LayerTails", buffer("layer_tails")},
           {"integral", image("integral")},    {"integral_rg", image("integral_rg")},
           {"integral_b", image("integral_b")}};
 }
@@ -78,21 +91,22 @@ std::vector<Transparents::Style> shading(const Picture& picture, const Plan& pla
     const uint32_t lane_bits =
         kind == shared::kKindRgb && plan.rgb ? (plan.rgb_words() == 1 ? 8u : 32u) : s.lane_bits();
     const glm::uvec2 area = half ? (plan.size + 1u) / 2u : plan.size;
-    return {.fragment = "methods/avboit/accumulate.frag",
-            .targets = std::move(targets),
-            .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
-            .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
-            .area = {area.x, area.y},
-            .vertex = "methods/avboit/card_at_slice.vert",
-            .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
-                          tints ? 1u : 0u, kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour),
-                          behind_layers ? 1u : 0u, exact ? 1u : 0u, lane_bits, half ? 2u : 1u},
-            .bindings = transmittance_bindings(picture),
-            .order = buffer("class_order"),
-            .indirect = buffer("class_draws"),
-            .indirect_index = card_class,
-            .count_fragments = true,
-            .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))};
+    return {
+        .fragment = "methods/avboit/accumulate.frag",
+        .targets = std::move(targets),
+        .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
+        .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
+        .area = {area.x, area.y},
+        .vertex = "methods/avboit/card_at_slice.vert",
+        .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u, tints ? 1u : 0u,
+                      kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour), behind_layers ? 1u : 0u,
+                      exact ? 1u : 0u, lane_bits, half ? 2u : 1u, each_channel ? 1u : 0u},
+        .bindings = transmittance_bindings(picture),
+        .order = buffer("class_order"),
+        .indirect = buffer("class_draws"),
+        .indirect_index = card_class,
+        .count_fragments = true,
+        .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))};
   };
   std::vector<Transparents::Style> draws;
   for (uint32_t c = 0; c < shared::kClasses; ++c) {
@@ -108,6 +122,10 @@ std::vector<Transparents::Style> shading(const Picture& picture, const Plan& pla
 }
 
 void record_accumulate(const Picture& picture, const Plan& plan) {
+  if (plan.settings.accumulation == Accumulation::kDeterministic) {
+    record_sums(picture, plan);
+    return;
+  }
   const auto image = [&](const std::string& name) { return &picture.resources.image(name); };
   picture.frame.pass("draw", [&](gpu::Pass& pass) {
     for (const char* end : {"", "_half"}) {

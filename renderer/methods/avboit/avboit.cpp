@@ -24,7 +24,10 @@ class Avboit final : public Method {
             .street_rmse = settings_.adaptive ? 0.025 : 0.03};
   }
   std::vector<std::string> missing(const gpu::Device& device) const override {
-    if (settings_.exact_layer_count() == 0 || device.has_int64_atomics()) return {};
+    if (device.has_int64_atomics()) return {};
+    if (settings_.accumulation == avboit::Accumulation::kDeterministic)
+      return {"shaderInt64 and shaderBufferInt64Atomics, or another accumulation"};
+    if (settings_.exact_layer_count() == 0) return {};
     return {"shaderInt64 and shaderBufferInt64Atomics, or exact_layers=0"};
   }
   void visit(ParameterVisitor& visitor) override { settings_.visit(visitor); }

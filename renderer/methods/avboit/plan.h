@@ -92,6 +92,10 @@ std::vector<Transparents::Style> shading(const Picture& picture, const Plan& pla
 /// draw: all of them.
 void record_accumulate(const Picture& picture, const Plan& plan);
 
+void add_sums_needs(Needs& needs, const Plan& plan);
+/// draw, gather: all of them, added up as integers.
+void record_sums(const Picture& picture, const Plan& plan);
+
 /// distortion, surface: where the picture wants them, weighted by the same transmittance.
 void record_outputs(const Picture& picture, const Plan& plan);
 

@@ -31,7 +31,7 @@ constexpr Mode kColours[] = {
      "The same, and what tints does not tint its own light: right for one glass, not for several."},
     {"rgb",
      "A transmittance for each channel: only what is behind glass is tinted. Coloured things pay for it."}};
-constexpr std::string_view kAccumulations[] = {"11_11_10", "16f", "32f"};
+constexpr std::string_view kAccumulations[] = {"11_11_10", "16f", "32f", "deterministic"};
 constexpr std::string_view kZeroDepths[] = {"off", "quads", "fullscreen"};
 
 template <class Enum>
@@ -99,7 +99,9 @@ void Settings::visit(ParameterVisitor& visitor) {
       "exact_layers", exact_layers, kExactNames,
       "nearest fragments of hard-edged and small near-opaque cards kept a pixel, instead of in the "
       "volume: exact glass and sparks, for memory");
-  choice(visitor, "accumulation", accumulation, kAccumulations, "format of the sums: rounding for bandwidth");
+  choice(visitor, "accumulation", accumulation, kAccumulations,
+         "format of the sums: rounding for bandwidth; thin layers are lost in 16 bits. Deterministic adds "
+         "integers: the same bits whatever the order of draws, before haze and depth of field");
   choice(visitor, "zero_depth", zero_depth, kZeroDepths,
          "does not draw what lies behind opaque smoke: tile quads, or every pixel's depth to compare");
   visitor.number("zero_transmittance", zero_transmittance,

@@ -10,7 +10,7 @@ enum class Sampling : int { kPoint, kLinear, kQuadratic, kCubic, kSelfExcluded }
 enum class Splat : int { kPacked8, kPacked8Exchange, kPacked8Overflow, kPacked16Overflow, kWords32, kRaster };
 enum class RgbSplat : int { kPacked10, kWords32, kRaster };
 enum class Colour : int { kMono, kTotalExtinction, kSkew, kFirstEvent, kRgb };
-enum class Accumulation : int { kR11G11B10, kHalf, kFloat };
+enum class Accumulation : int { kR11G11B10, kHalf, kFloat, kDeterministic };
 enum class ZeroDepth : int { kOff, kQuads, kFullscreen };
 
 struct Settings {
@@ -30,7 +30,7 @@ struct Settings {
   Colour colour = Colour::kRgb;
   bool skew_guard = true;
   bool normalise = true;
-  Accumulation accumulation = Accumulation::kHalf;
+  Accumulation accumulation = Accumulation::kFloat;
   ZeroDepth zero_depth = ZeroDepth::kQuads;
   float zero_transmittance = 1.0f / 1024;
   bool cull_opaque = false;

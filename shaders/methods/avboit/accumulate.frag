@@ -1,27 +1,7 @@
-// AVBOIT, draw: every fragment in any order, weighted by the transmittance T(z) in front of it.
-//   light:   rgb sum (C a + E) T     a: prod(1 - a) of what does not tint
-//   norm:    sum a T                 what the fraction in resolve divides by; a sum for each channel behind RGB sources
-//   known_light, known_norm:  the part of light and norm of exact cards whose weight is not in doubt: only what the volume says
-//            of T is, so it is the share that T lets through. Shining without covering belongs there too
-//   through: rgb prod t, a: prod(mean t), of what tints
-// Chromaticity skew (kSkew): optical depth of each channel counts as far as the fragment is seen, mix(gray, rgb, T(z)), so that
-// glass in thick smoke does not tint what lies before it.
+// AVBOIT, draw: every fragment in any order; blending sums.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "surface/shade.glsl"
-#include "methods/avboit/colour.h"
-#include "methods/avboit/transmittance.glsl"
-
-layout(constant_id = 3) const uint kTints = 0u;       // what it passes goes into `through`, a channel each
-layout(constant_id = 4) const uint kGeneral = 0u;     // it spans slices or passes light where it covers
-layout(constant_id = 5) const uint kColour = kFullRgb;
-
-layout(constant_id = 7) const uint kExact = 0u;          // its optical depth is in the layers, not in the volume
-layout(constant_id = 6) const uint kBehindLayers = 0u;
-
-layout(constant_id = 9) const uint kScale = 1u;          // pixels of the picture a fragment, each way
-
-layout(location = 7) flat in float v_slice;
+#include "methods/avboit/accumulate.glsl"
 
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 norm;
@@ -30,27 +10,10 @@ layout(location = 3) out vec4 known_light;
 layout(location = 4) out vec4 known_norm;
 
 void main() {
-  const Fragment f = shade();
-  const float gray = 1.0 - gray_coverage(f);
-  const vec3 passed = kTints != 0u && kColour != kMono ? transmittance(f) : vec3(gray);
-  const vec3 weighed = kColour == kFullRgb ? passed : vec3(gray);
-  const vec3 own = kGeneral != 0u ? -log(max(weighed, vec3(kLeastTransmittance))) : vec3(min(f.optical_depth, -log(kLeastTransmittance)));   // as the splat takes it
-  const vec2 pixel = gl_FragCoord.xy * float(kScale);
-  vec3 t = transmittance_at(pixel, kGeneral != 0u ? slice_at(f.depth) : v_slice, kExact != 0u ? vec3(0.0) : own);
-  const float known = kExact != 0u ? dot(t, vec3(1.0 / 3.0)) : 0.0;
-  if (kBehindLayers != 0u) {
-    const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, f.id, kExact != 0u ? tail_depth(pack_layer(transmittance(f))) : 0.0);
-    t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
-  }
-  const float inside = kExact != 0u ? 1.0 - gray : 1.0;   // what shines as it covers is scaled as the coverage is
-  vec3 seen = f.color + f.emission * inside;
-  vec3 tint = passed;
-  if (kColour == kSkew || kColour == kFirstEvent) tint = exp(mix(log(max(vec3(gray), kLeastTransmittance)), log(max(passed, kLeastTransmittance)), t));
-  if (kColour == kFirstEvent && kTints != 0u) seen *= luma(tint) / max(tint, vec3(1.0 / 256.0));
-  const vec3 share = (1.0 - weighed) * t;
-  light = vec4(seen * t * (1.0 - known), kTints != 0u ? 1.0 : gray);
-  norm = vec4(share * (1.0 - known), 0.0);
-  through = vec4(tint, gray);
-  known_light = vec4((seen * known + f.emission * (1.0 - inside)) * t, 0.0);
-  known_norm = vec4(share * known, 0.0);
+  const Share share = share_of_fragment();
+  light = share.light;
+  norm = vec4(share.norm, 0.0);
+  through = share.through;
+  known_light = vec4(share.known_light, 0.0);
+  known_norm = vec4(share.known_norm, 0.0);
 }
