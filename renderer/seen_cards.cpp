@@ -10,13 +10,20 @@ gpu::Buffer buffer_of(gpu::Device& device, const char* label, uint64_t bytes) {
   return gpu::Buffer(device, {.owner = "scene", .label = label, .bytes = bytes});
 }
 
+constexpr shared::BadCards kNoneBad{.count = 0, .first = ~0u};
+
 }  // namespace
 
 SeenCards::SeenCards(gpu::Device& device)
     : device_(device),
       all_(buffer_of(device, "all cards", sizeof(shared::Workload))),
       seen_(buffer_of(device, "seen cards", sizeof(shared::Workload))),
-      draws_(buffer_of(device, "seen draws", (1 + kSources) * sizeof(shared::DrawCommand))) {}
+      draws_(buffer_of(device, "seen draws", (1 + kSources) * sizeof(shared::DrawCommand))),
+      bad_(
+          device,
+          {.owner = "scene", .label = "bad cards", .bytes = sizeof(shared::BadCards), .host_visible = true}) {
+  bad_.mapped<shared::BadCards>()[0] = kNoneBad;
+}
 
 void SeenCards::fit(Transparents& transparents) {
   if (transparents.count > capacity_ || !order_) {
@@ -35,16 +42,21 @@ void SeenCards::record(gpu::Frame& frame, const Transparents& transparents,
                        const gpu::Buffer& submission) const {
   frame.pass("seen cards", [&](gpu::Pass& pass) {
     pass.update(all_, shared::workload_of(transparents.count));
+    pass.update(bad_, kNoneBad);
     if (transparents.count == 0) {
       pass.fill(draws_, 0);
       pass.update(seen_, shared::workload_of(0));
       return;
     }
     pass.barrier();
-    pass.dispatch(
-        pass.pipelines().compute("surface/seen_keys.comp"),
-        {{"Cards", transparents.cards}, {"Order", &submission}, {"Work", &all_}, {"Pairs", &pairs_}},
-        glm::uvec2(transparents.first(Source::kHaze), transparents.first(Source::kRgb)), each_item(all_));
+    pass.dispatch(pass.pipelines().compute("surface/seen_keys.comp"),
+                  {{"Cards", transparents.cards},
+                   {"Order", &submission},
+                   {"Work", &all_},
+                   {"Pairs", &pairs_},
+                   {"Bad", &bad_}},
+                  glm::uvec2(transparents.first(Source::kHaze), transparents.first(Source::kRgb)),
+                  each_item(all_));
     pass.barrier();
     radix_round(pass, pairs_, sorted_pairs_, counts_, all_, 0);
     pass.dispatch(pass.pipelines().compute("surface/seen_draws.comp"),

@@ -217,6 +217,7 @@ void Frame::submit() {
 }
 
 std::vector<PassTime> Frame::finish() {
+  make_visible_to_host(commands());
   commands().end();
   if (passes_.empty()) return {};
   try {

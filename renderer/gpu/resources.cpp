@@ -26,6 +26,8 @@ Allocation allocate(Device& device, const vk::MemoryRequirements& needs, bool ho
   throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), device.last_pass()));
 }
 
+}  // namespace
+
 void make_visible_to_host(const vk::raii::CommandBuffer& commands) {
   const vk::MemoryBarrier2 barrier{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
                                    .srcAccessMask = vk::AccessFlagBits2::eMemoryWrite,
@@ -33,8 +35,6 @@ void make_visible_to_host(const vk::raii::CommandBuffer& commands) {
                                    .dstAccessMask = vk::AccessFlagBits2::eHostRead};
   commands.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
 }
-
-}  // namespace
 
 Buffer::Buffer(Device& device, const BufferDesc& desc) : bytes_(desc.bytes) {
   using Usage = vk::BufferUsageFlagBits;

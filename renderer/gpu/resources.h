@@ -85,6 +85,9 @@ class Image {
   uint32_t layers_ = 1, samples_ = 1;
 };
 
+/// What was recorded so far may be read from mapped memory once the device has done it.
+void make_visible_to_host(const vk::raii::CommandBuffer& commands);
+
 /// Copies a whole buffer, or the first level and layer of an image, to the host. Waits for the device.
 std::vector<std::byte> read_bytes(Device& device, const Buffer& buffer);
 std::vector<std::byte> read_bytes(Device& device, const Image& image);
