@@ -3,9 +3,11 @@
 //             t = sum(l a) sum(l) / (sum(l^2) pi R^2)               its optical depth: mean covered area times effective number
 // times the scene's gain: pictures hold less than flames have, and 1 is what the picture shows.
 //   position  sum(l x) / sum(l),     radius  R^2 = 5/3 var(x) + mean r^2   (the variance of an even ball is 3/5 R^2)
+// A fire too dim or too bright for l^2 to be a number lights nothing.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "effects/light_body.glsl"
+#include "shared/bad_number.h"
 
 layout(local_size_x = 64) in;
 layout(scalar, binding = 1) readonly buffer Bodies { LitBody bodies[]; };
@@ -27,6 +29,8 @@ struct Sums {
   float covered;
   float squared_l;
 };
+
+const float kLeastSquare = 1.2e-38;   // less may be flushed to 0
 
 shared Sums sums[64];
 
@@ -56,12 +60,12 @@ void main() {
   if (lane > 0u) return;
   sum = sums[0];
   FireLight fire = FireLight(source.origin, 1.0, vec3(0.0), 1.0);
-  if (sum.l > 0.0) {
+  if (sum.squared_l >= kLeastSquare && !is_bad(sum.squared_l)) {
     const vec3 arm = sum.arm / sum.l;
     fire.position += arm;
     fire.radius_squared = 5.0 / 3.0 * max(sum.squared_arm / sum.l - dot(arm, arm), 0.0) + sum.squared_radius / sum.l;
     fire.radius = sqrt(fire.radius_squared);
-    const float t = sum.covered * sum.l / (sum.squared_l * 3.14159265 * fire.radius_squared);
+    const float t = sum.covered / sum.squared_l * (sum.l / (3.14159265 * fire.radius_squared));
     fire.power = gain * sum.power * (t > 0.01 ? (1.0 - exp(-t)) / t : 1.0 - 0.5 * t);
   }
   fires[gl_WorkGroupID.x] = fire;
