@@ -68,6 +68,8 @@ class Simulation {
   /// The states of all particles in the living windows, in the order of emitters and births; of analytic
   /// emitters there are none. Waits for the device.
   std::vector<shared::Particle> particles() const;
+  /// For tests: shared::Particle[], where birth k of an emitter is at its base + k mod slots.
+  const gpu::Buffer& pool() const { return particles_; }
   /// FNV-1a, 64 bits, of particles().
   uint64_t state_hash() const;
   /// One entry per call, in their order.

@@ -15,7 +15,8 @@ struct CardOwner {
 /// "pane 3", "smoke_grenade (left bank) / core #1042".
 std::string to_text(const CardOwner& owner);
 
-/// At the tick that the stage stands at. Throws std::out_of_range for a card that it does not have.
+/// At the tick that the stage stands at. After the last card come the pieces of opaque debris, as
+/// shared::BadCards counts them. Throws std::out_of_range for what it does not have.
 CardOwner owner_of(const Stage& stage, uint32_t card);
 
 }  // namespace plume

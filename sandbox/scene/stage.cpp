@@ -224,7 +224,8 @@ Prelude Stage::prelude() const {
                 seen_.record(frame, transparents_, submission_);
                 lighting_->record(frame, transparents_, uint32_t(scalar_panes_.size()));
                 opaque_.record_depth(frame, targets, view_);
-                record_debris_depth(frame, targets, simulation_->pieces(), view_);
+                record_debris_depth(frame, targets, simulation_->pieces(), view_, seen_.bad_buffer(),
+                                    transparents_.count);
               },
           .opaque =
               [this](gpu::Frame& frame, const Targets& targets, const gpu::Image& depth) {

@@ -38,6 +38,8 @@ class Stage {
   /// Passes that come before the method's: cards from particles, the opaque image.
   Prelude prelude() const;
   const Transparents& transparents() const { return transparents_; }
+  /// What the last frame that was drawn left out: see scene/bad_particles.h.
+  shared::BadCards bad_cards() const { return seen_.bad(); }
   /// What the scene asks to be done to its picture.
   Post post() const;
 

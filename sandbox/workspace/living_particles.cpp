@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sandbox/effects/bounds.h"
+#include "shaders/shared/bad_number.h"
 
 namespace plume {
 
@@ -19,6 +20,7 @@ std::vector<std::vector<glm::vec3>> living_positions(const Stage& stage, size_t 
     for (; next < end; ++next) {
       const shared::Particle& particle = particles[next];
       if (emitter.call != *call || (particle.state & shared::kDeadAge) == shared::kDeadAge) continue;
+      if (shared::is_bad(particle.position)) continue;  // nor is it drawn
       result[emitter.index].push_back(particle.position);
     }
   }

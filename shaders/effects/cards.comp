@@ -86,8 +86,9 @@ void main() {
   Particle p = particle_at(span, index);
   const EmitterData e = emitters[span.emitter];
   const uint age = age_of(p);
-  if (age == kDeadAge || generation_of(p) > 0u) {
-    cards[first_card + thread] = hidden_card();
+  const bool lives = age != kDeadAge && generation_of(p) == 0u;
+  if (!lives || is_bad(p)) {
+    cards[first_card + thread] = lives ? bad_card() : hidden_card();
     if (kBodies != 0u) bodies[first_body + thread] = dark_body();
     return;
   }
@@ -95,5 +96,5 @@ void main() {
   const uint key = particle_key(e, birth);
   const Look look = look_of(e, span.emitter, age, key);
   cards[first_card + thread] = card_of(e, span.emitter, p, look, age, key);
-  if (kBodies != 0u) bodies[first_body + thread] = body_of(e, span.emitter, p, look);
+  if (kBodies != 0u) bodies[first_body + thread] = unless_bad(body_of(e, span.emitter, p, look));
 }

@@ -79,8 +79,9 @@ void main() {
   Particle p = particle_at(span, index);
   const uint age = age_of(p), key = particle_key(e, birth), triangle = at % e.cards_each;
   const MeshRange mesh = mesh_ranges[mesh_of(e, key)];
-  if (age == kDeadAge || generation_of(p) > 0u || triangle >= mesh.count) {
-    cards[first_card + thread] = hidden_card();
+  const bool lives = age != kDeadAge && generation_of(p) == 0u, bad = is_bad(p);
+  if (!lives || bad || triangle >= mesh.count) {
+    cards[first_card + thread] = lives && bad && triangle == 0u ? bad_card() : hidden_card();
     if (kBodies != 0u) bodies[first_body + thread] = dark_body();
     return;
   }
@@ -88,5 +89,5 @@ void main() {
   const Look look = look_of(e, span.emitter, age, key);
   const Face face = face_of(placed_mesh(e, mesh, p, age, key, look.radius), mesh_triangles[mesh.first + triangle]);
   cards[first_card + thread] = card_of(e, span.emitter, p, look, face);
-  if (kBodies != 0u) bodies[first_body + thread] = body_of(e, span.emitter, look, face);
+  if (kBodies != 0u) bodies[first_body + thread] = unless_bad(body_of(e, span.emitter, look, face));
 }

@@ -31,6 +31,7 @@ const float kLeastLength = 1e-5;   // of a segment on the screen, in depths
 
 struct Node {
   bool there;
+  bool bad;   // it would be
   vec3 world;
   vec3 place;   // after the camera offset, which scales by:
   float scale;
@@ -48,7 +49,7 @@ bool is_head(Span span, EmitterData e, int index) {
 
 Node node_at(Span span, EmitterData e, int index) {
   Node node;
-  node.there = false;
+  node.there = node.bad = false;
   if (index < 0 || index >= int(span.count)) return node;
   Particle p = particle_at(span, uint(index));
   uint age = age_of(p);
@@ -57,6 +58,8 @@ Node node_at(Span span, EmitterData e, int index) {
     if (!is_head(span, e, index)) return node;
     age = 0u;
   }
+  node.bad = is_bad(p);
+  if (node.bad) return node;
   p.position = displaced(e, p.position, age, span.tick);
   const float depth = dot(p.position - view.camera, view.forward);
   node.there = depth > view.near_m;
@@ -109,6 +112,7 @@ void main() {
   cards[at + 1u] = hidden_card();
   if (kBodies != 0u) for (uint i = 0u; i < 2u; ++i) bodies[first_body + 2u * thread + i] = dark_body();
   const Node a = node_at(span, e, index), b = node_at(span, e, index + 1);
+  if (a.bad) cards[at] = bad_card();
   if (!a.there || !b.there || !joined(span, e, index)) return;
   Node before = node_at(span, e, index - 1), after = node_at(span, e, index + 2);
   before.there = before.there && joined(span, e, index - 1);
@@ -141,6 +145,6 @@ void main() {
   Look seen = look;
   seen.radius = 0.5 * (a.look.radius / a.scale + b.look.radius / b.scale);
   const float half_area = 0.785398 * seen.radius * distance(a.world, b.world);   // of a band that turns to the eye, as a tube
-  const LitBody body = thin_body(e, span.emitter, seen, 0.5 * (a.world + b.world), half_area);
+  const LitBody body = unless_bad(thin_body(e, span.emitter, seen, 0.5 * (a.world + b.world), half_area));
   for (uint i = 0u; i < 2u; ++i) bodies[first_body + 2u * thread + i] = body;
 }

@@ -15,5 +15,15 @@ struct DebrisDraw {
   uint first_slot;
 };
 
+// `index` counts from the draw's first birth and is below the capacity.
+#ifdef __cplusplus
+inline
+#endif
+    uint
+    slot_of(DebrisDraw drawn, uint index) {
+  const uint slot = drawn.first_slot + index;
+  return drawn.base + (slot < drawn.capacity ? slot : slot - drawn.capacity);
+}
+
 PLUME_SHARED_END
 #endif

@@ -42,6 +42,13 @@ Card hidden_card() {
   return Card(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u));
 }
 
+// In the place of a card that cannot be drawn: surface/seen_keys.comp counts it. One a particle.
+Card bad_card() {
+  Card card = hidden_card();
+  card.optical_depth = uintBitsToFloat(0x7FC00000u);
+  return card;
+}
+
 // Camera offset: along the ray with its size on screen kept; never through the near plane.
 float offset_scale(EmitterData e, float depth, float near_m) {
   return clamp((depth - e.camera_offset) / depth, 2.0 * near_m / depth, 1e3);
@@ -68,6 +75,12 @@ void set_colors(inout Card card, EmitterData e, uint emitter, Look look, ViewDat
 }
 
 LitBody dark_body() { return LitBody(vec3(0.0), 0.0, vec3(0.0), 0.0, uvec2(0u)); }
+
+// What light falls on and comes from: sums over all of them must not meet a bad one.
+LitBody unless_bad(LitBody body) {
+  const bool bad = is_bad(body.position) || is_bad(body.radius) || is_bad(body.power.r + body.power.g + body.power.b) || is_bad(body.depth);
+  return bad ? dark_body() : body;
+}
 
 // What light falls on and comes from, but nothing is in the shadow of. `area_m2` is what is seen of it on average.
 LitBody thin_body(EmitterData e, uint emitter, Look look, vec3 position, float area_m2) {

@@ -1,6 +1,7 @@
 // Who a particle is, whatever moves it: its random numbers, its life, and how its state is packed.
 #ifndef PLUME_EFFECTS_PARTICLE_GLSL
 #define PLUME_EFFECTS_PARTICLE_GLSL
+#include "shared/bad_number.h"
 #include "shared/hash.h"
 #include "shared/particle.h"
 
@@ -35,5 +36,6 @@ uint collisions(Motion m) { return m.contact / kOneCollision; }
 uint age_of(Particle p) { return p.state & kDeadAge; }
 uint contact_of(Particle p) { return (p.state >> kContactShift) & ((1u << kContactBits) - 1u); }
 uint generation_of(Particle p) { return p.state >> kGenerationShift; }
+bool is_bad(Particle p) { return is_bad(p.position) || is_bad(p.velocity); }
 
 #endif

@@ -1,5 +1,5 @@
 // Opaque particles: one instance a piece of one emitter, the faces of its mesh pulled by vertex; those beyond it and the pieces that are
-// dead or not born yet collapse. Faces are flat.
+// dead, bad or not born yet collapse. Faces are flat.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "effects/debris.h"
@@ -23,10 +23,10 @@ void main() {
   gl_Position = vec4(0.0, 0.0, -1.0, 1.0);   // in front of everything that is drawn: clipped
   v_world = v_normal = v_emission = vec3(0.0);
   v_albedo = vec4(0.0);
-  const uint index = gl_InstanceIndex, slot = drawn.first_slot + index;
-  const Particle p = particles[drawn.base + (slot < drawn.capacity ? slot : slot - drawn.capacity)];
+  const uint index = gl_InstanceIndex;
+  const Particle p = particles[slot_of(drawn, index)];
   const uint age = age_of(p);
-  if (age == kDeadAge || generation_of(p) > 0u) return;
+  if (age == kDeadAge || generation_of(p) > 0u || is_bad(p)) return;
   const EmitterData e = emitters[drawn.emitter];
   const uint key = particle_key(e, drawn.first + index), face = gl_VertexIndex / 3u, corner = gl_VertexIndex % 3u;
   const MeshRange mesh = mesh_ranges[mesh_of(e, key)];
