@@ -66,6 +66,7 @@ void print_results(const Results& results, const OutputFlags& flags) {
   const std::filesystem::path report = std::filesystem::path(flags.out) / "report.html";
   write_report(report, results, flags.report_limit_mib << 20);
   for (const Note& note : results.notes) warn(note.text);
+  for (const std::string& warning : bad_particle_warnings(results)) warn(warning);
   if (flags.json)
     fmt::print("{}\n", to_json(results).dump(2));
   else

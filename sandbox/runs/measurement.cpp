@@ -21,7 +21,7 @@
 #include "sandbox/runs/frame_probe.h"
 #include "sandbox/runs/machine_load.h"
 #include "sandbox/runs/repetitions.h"
-#include "sandbox/scene/stage.h"
+#include "sandbox/scene/bad_particles.h"
 
 namespace plume {
 namespace {
@@ -34,6 +34,7 @@ struct Contender {
   FrameResult frame;
   std::vector<std::string> missing;   // of the device
   std::vector<std::string> left_out;  // of the last drawing
+  BadParticles bad_particles;         // likewise
   std::vector<std::vector<gpu::PassTime>> samples;
   std::vector<double> transparency_ms;  // of the same drawings
   std::optional<DrawnPicture> picture;
@@ -215,6 +216,7 @@ class Measurement {
         auto report =
             render_frame(device_, pipelines_, targets, stage.prelude(), stage.transparents(), c.instance);
         c.left_out = std::move(report.left_out);
+        c.bad_particles = bad_particles(stage);
         if (repetition >= replay.warmup) {
           repetitions_ms.resize(repetition - replay.warmup + 1);
           repetitions_ms.back() += report.transparency_ms;
@@ -262,6 +264,9 @@ class Measurement {
     frame.statistics = contender.instance.method->statistics(device_, contender.instance.resources);
     frame.shortfalls = shortfall_sentences(*contender.instance.method, frame.statistics);
     frame.left_out = contender.left_out;
+    frame.bad_particles = to_json(contender.bad_particles);
+    if (const BadParticles& bad = contender.bad_particles; bad.count > 0)
+      frame.shortfalls.push_back(fmt::format("{}. {}.", to_text(bad), remedy(bad)));
     frame.memory_bytes = device_.memory().owner_bytes(contender.instance.owner);
     Raster<float> error_map;
     frame.error = compare(reference, *contender.picture, error_map);

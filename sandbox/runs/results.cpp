@@ -104,6 +104,7 @@ FrameResult frame_from_json(const json& from) {
                    .max_y = error.at("max_at").at(1)};
   frame.statistics = from.at("statistics");
   frame.shortfalls = from.at("shortfalls");
+  frame.bad_particles = from.value("bad_particles", FrameResult().bad_particles);
   frame.probes = from.at("probes");
   frame.image = text_of(from.at("image"));
   frame.error_map = text_of(from.at("error_map"));
@@ -184,6 +185,7 @@ json to_json(const FrameResult& frame) {
               {"error", error},
               {"statistics", frame.statistics},
               {"shortfalls", frame.shortfalls},
+              {"bad_particles", frame.bad_particles},
               {"probes", frame.probes},
               {"image", text_or_null(frame.image)},
               {"error_map", text_or_null(frame.error_map)},
@@ -225,6 +227,28 @@ Results read_results(const std::filesystem::path& path) try {
   return results;
 } catch (const json::exception& error) {
   throw std::runtime_error(fmt::format("{} is not a results.json: {}", path.string(), error.what()));
+}
+
+std::vector<std::string> bad_particle_warnings(const Results& results) {
+  struct Bad {
+    const FrameResult* first = nullptr;
+    uint32_t pictures = 0;
+  };
+  std::map<std::string, Bad> by_owner;
+  for (const FrameResult& frame : results.frames) {
+    json owner = frame.bad_particles.at("first");
+    if (owner.is_null()) continue;
+    owner.erase("birth");
+    Bad& bad = by_owner[frame.scene + owner.dump()];
+    if (!bad.first) bad.first = &frame;
+    ++bad.pictures;
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [owner, bad] : by_owner)
+    warnings.push_back(fmt::format("{} tick {}: {} ({} of {} pictures, `bad_particles` in results.json)",
+                                   bad.first->scene, bad.first->tick, bad.first->shortfalls.back(),
+                                   bad.pictures, results.frames.size()));
+  return warnings;
 }
 
 std::string to_csv(const Results& results) {
@@ -291,6 +315,7 @@ std::string to_table(const Results& results) {
                          own.samples > 1 ? fmt::format("{:.2f}", reach) : "-",
                          double(frame.memory_bytes) / 1048576.0);
     for (const std::string& output : frame.left_out) table += fmt::format("no {}; ", output);
+    if (const uint32_t bad = frame.bad_particles.at("count")) table += fmt::format("{} bad particles; ", bad);
     const json changed = changed_settings(frame);
     table += changed.empty() ? "\n" : changed.dump() + "\n";
   }

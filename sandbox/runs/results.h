@@ -45,6 +45,7 @@ struct FrameResult {
   std::optional<ErrorSummary> error;  ///< against the exact reference
   nlohmann::json statistics = nlohmann::json::object();  ///< what the method tells of itself
   std::vector<std::string> shortfalls;  ///< what the picture lacks, in sentences: see shortfalls.h
+  nlohmann::json bad_particles{{"count", 0}, {"first", nullptr}};  ///< left out: see bad_particles.h
   /// Transmittance over depth at the pixels that were marked: see frame_probe.h.
   nlohmann::json probes = nlohmann::json::array();
   std::string image, error_map, hdr;  ///< file names beside results.json; "" = not written
@@ -88,6 +89,8 @@ nlohmann::json to_json(const FrameResult& frame);
 nlohmann::json to_json(const Results& results);
 /// Throws std::runtime_error that names the file when it is not a results.json.
 Results read_results(const std::filesystem::path& path);
+/// For people: which emitters' particles were left out of pictures, a sentence each.
+std::vector<std::string> bad_particle_warnings(const Results& results);
 /// One line per frame; the passes' medians in columns of their own.
 std::string to_csv(const Results& results);
 /// A table for people: scene (with size and seed where frames differ in them), tick, method, error, time,

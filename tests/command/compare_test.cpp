@@ -38,7 +38,8 @@ TEST_F(CompareTest, WritesResultsForEveryMethod) {
   for (const json& frame : all["frames"]) {
     SCOPED_TRACE(frame.dump());
     methods.push_back(frame["method"]);
-    EXPECT_EQ(keys(frame), (Names{"error",
+    EXPECT_EQ(keys(frame), (Names{"bad_particles",
+                                  "error",
                                   "error_map",
                                   "gpu_ms",
                                   "gpu_ms_interval",

@@ -23,6 +23,12 @@ function settingsText(settings) {
   return Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(' ');
 }
 
+/// What a picture is without: outputs that its method does not write, particles that nothing can be drawn of.
+function lacks(frame) {
+  const bad = frame.bad_particles?.count;
+  return [...frame.left_out, ...(bad ? [`${bad} bad particle${bad > 1 ? 's' : ''}`] : [])];
+}
+
 const differs = (of) => new Set(frames.map((frame) => JSON.stringify(of(frame)))).size > 1;
 const severalSizes = differs((frame) => frame.size);
 const severalSeeds = differs((frame) => frame.seed ?? null);

@@ -156,7 +156,7 @@ function rowLines(row) {
   }
   lines.push(Object.entries(kErrors).map(([y, of]) => `${of.name} ${figure(row.errors[y])}`).join('   '));
   lines.push(`memory: ${bytesText(row.memory ?? frame.memory_bytes)}`);
-  if (frame.left_out.length) lines.push(`without ${listText(frame.left_out)}`);
+  if (lacks(frame).length) lines.push(`without ${listText(lacks(frame))}`);
   const alike = shownMoment().rows.filter(
       (other) => other !== row && other.measured && rangesMeet(other.times[view.x], row.times[view.x]));
   if (alike.length) lines.push(`in time not told apart from ${listText(alike.map((other) => other.id))}`);

@@ -38,7 +38,7 @@ const kColumns = [
     name: 'without',
     text: true,
     frames: true,
-    of: (row) => row.frame.left_out.join(', '),
+    of: (row) => lacks(row.frame).join(', '),
     wrap: true
   },
 ];
@@ -160,7 +160,7 @@ function drawTable() {
   if (!moment) return;
   const withRatio = (columns) =>
       moment.rows.some((row) => row.id === kBaseline) ? columns : columns.filter((c) => c.id !== 'ratio');
-  const leaves = rows.some((row) => row.frame.left_out.length);
+  const leaves = rows.some((row) => lacks(row.frame).length);
   const columns = withRatio(kColumns).filter((column) => column.id !== 'left_out' || leaves);
   const tables = isMean() ?
       [
