@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sandbox/debugger/bad_particles_line.h"
 #include "sandbox/debugger/depth_ruler.h"
 #include "sandbox/debugger/field_editor.h"
 #include "sandbox/debugger/file_questions.h"
@@ -390,6 +391,7 @@ void title(const EffectSelection& selection, const PresetDocument& document) {
 
 void effects_panel(Interface& interface) {
   EffectSelection& selection = interface.effects;
+  point_at_bad_particles(interface);
   hierarchy(interface);
   pick_effect_to_drop(interface);
   edit_instance(interface);
@@ -408,8 +410,8 @@ std::optional<size_t> selected_instance(const Interface& interface) {
   return size_t(found - instances.begin());
 }
 
-void select_instance(Interface& interface, size_t index) {
-  select(interface.effects, interface.workspace.scene().instances[index], {});
+void select_instance(Interface& interface, size_t index, std::optional<size_t> emitter) {
+  select(interface.effects, interface.workspace.scene().instances[index], emitter);
 }
 
 void undo_edit(Interface& interface) {

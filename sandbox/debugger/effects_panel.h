@@ -10,7 +10,8 @@ namespace plume {
 void effects_panel(Interface& interface);
 /// In the scene that is shown; nothing: none is, or it is gone.
 std::optional<size_t> selected_instance(const Interface& interface);
-void select_instance(Interface& interface, size_t index);
+/// Or one of its emitters.
+void select_instance(Interface& interface, size_t index, std::optional<size_t> emitter = {});
 
 // What keys do, too: of the selected effect, if there is one, and of the scene.
 void undo_edit(Interface& interface);

@@ -328,6 +328,7 @@ void Workspace::draw(glm::uvec2 area) {
     if (shows(*side)) draw_side(*side, size, simulation);
   if (comparison_ == Comparison::kSplit)
     SideView::share_scale(device_, a.view, *a.targets, b.view, *b.targets);
+  bad_particles_ = plume::bad_particles(*stage_);
   outdated_ = false;
   frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "sandbox/measure/timing_history.h"
-#include "sandbox/scene/stage.h"
+#include "sandbox/scene/bad_particles.h"
 #include "sandbox/workspace/accuracy_log.h"
 #include "sandbox/workspace/instance_switches.h"
 #include "sandbox/workspace/open_documents.h"
@@ -111,6 +111,8 @@ class Workspace {
   bool advance(double now_s);
   /// Of what is shown; nothing before the first drawing.
   const std::optional<Targets>& shown() const { return shows(a) ? a.targets : b.targets; }
+  /// What the last drawing left out.
+  const BadParticles& bad_particles() const { return bad_particles_; }
   /// How many different pictures have been drawn: the same number, the same picture.
   uint64_t picture() const { return picture_; }
   /// Counts scenes, their changes and edits: the same number, the same stage since.
@@ -167,6 +169,7 @@ class Workspace {
   bool outdated_ = true;
   double frame_ms_ = 0;  // that drawing took last
   uint64_t picture_ = 0;
+  BadParticles bad_particles_;
   Inspector inspector_;
   std::optional<SurfaceDepths> surface_;  // of picture surface_of_
   uint64_t surface_of_ = 0;

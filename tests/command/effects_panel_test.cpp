@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 
+#include "tests/command/far_particles.h"
 #include "tests/command/program.h"
 #include "tests/command/virtual_display.h"
 
@@ -53,10 +54,14 @@ class EffectsPanel : public ProgramTest {
     if (!display_->works()) GTEST_SKIP() << "Xvfb does not start; install the package xvfb";
     write("presets/effects/small.toml", kEffect);
     write("presets/scenes/one.toml", kScene);
+    open_window("one", "30");
+  }
+  void open_window(const std::string& scene, const std::string& tick) {
     Environment environment = display_->environment();
     environment["PLUME_PRESETS"] = at("presets");
     environment["PLUME_WIDGET_PLACES"] = at("places");
-    window_ = start({"open", "one", "--at", "30", "--validate"}, environment);
+    fs::remove(at("places"));
+    window_ = start({"open", scene, "--at", tick, "--validate"}, environment);
     if (!until([&] { return fs::exists(at("places")); })) {
       const Outcome outcome = close();
       if (says(outcome.err, {"this build has no window"})) GTEST_SKIP() << "there is no window to open";
@@ -304,6 +309,19 @@ TEST_F(EffectsPanel, AKeyOfACurveIsMadeDraggedAndTakenAway) {
   EXPECT_EQ(fade_of(saved_after(dragged)), "fade = [[0.0, 1.0], [1.0, 0.0]]");
   const Outcome outcome = close();
   EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(EffectsPanel, ALinePointsAtTheEmitterOfBadParticles) {
+  close();
+  write("presets/effects/far.toml", kFarEffect);
+  write("presets/scenes/far.toml", kFarScene);
+  open_window("far", kTooFarTick);
+  const std::string line =
+      "bad particles = 4 particles are not finite, and left out; first: far (it) / runaway #0";
+  EXPECT_FALSE(is_there("emitter[1].parent.inherit_velocity"));
+  click(line);
+  EXPECT_TRUE(until([&] { return is_there("emitter[1].parent.inherit_velocity"); })) << read("places");
+  EXPECT_EQ(close().err, "");
 }
 
 }  // namespace
