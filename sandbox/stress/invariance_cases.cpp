@@ -1,3 +1,4 @@
+#include <limits>
 #include <random>
 
 #include "sandbox/stress/cases.h"
@@ -137,6 +138,47 @@ StressCase splitting() {
   return made;
 }
 
+StressCase not_finite() {
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  StressCase made = invariance("not_finite", "a card with NaN, infinity or 1e38 among its numbers",
+                               "in a blur, a sum or a sort, one bad particle is bad everywhere");
+  const auto add = [&](const char* name, void (*spoil)(PlacedCard&)) {
+    CardScene scene = cloud(7, false);
+    for (const glm::vec3 transmission : {glm::vec3(0.0f), glm::vec3(0.1f, 0.5f, 0.9f)}) {
+      PlacedCard card = layer(3, 0.0, glm::vec3(0.0f), true);  // shows nothing
+      card.transmission = transmission;
+      if (spoil) {
+        card.optical_depth = 0.5f;
+        spoil(card);
+      }
+      scene.cards.push_back(card);
+    }
+    made.pictures.push_back({.name = name, .cards = std::move(scene)});
+  };
+  add("without", nullptr);
+  add("NaN centre", [](PlacedCard& c) { c.at.x = kNaN; });
+  add("Inf centre", [](PlacedCard& c) { c.z = double(kInf); });
+  add("-Inf centre", [](PlacedCard& c) { c.z = -double(kInf); });
+  add("1e38 centre", [](PlacedCard& c) { c.at.y = 1e38f; });
+  add("NaN axis", [](PlacedCard& c) { c.half_size.x = kNaN; });
+  add("Inf axis", [](PlacedCard& c) { c.half_size.y = kInf; });
+  add("1e38 axes", [](PlacedCard& c) { c.half_size = glm::vec2(1e38f); });
+  add("NaN optical depth", [](PlacedCard& c) { c.optical_depth = kNaN; });
+  add("Inf optical depth", [](PlacedCard& c) { c.optical_depth = kInf; });
+  add("NaN colour", [](PlacedCard& c) { c.color.g = kNaN; });
+  add("Inf colour", [](PlacedCard& c) { c.color.r = kInf; });
+  add("NaN emission", [](PlacedCard& c) { c.emission.b = kNaN; });
+  add("Inf emission", [](PlacedCard& c) { c.emission = glm::vec3(kInf); });
+  add("NaN transmission", [](PlacedCard& c) {
+    if (source_of(c.transmission) == Source::kRgb)
+      c.transmission.r = kNaN;
+    else
+      c.color.r = kNaN;  // it would be of the other source
+  });
+  return made;
+}
+
 StressCase random_clouds() {
   StressCase made{.id = "random_clouds",
                   .title = "eight clouds of smoke, glass, fire and near-opaque cards",
@@ -152,8 +194,8 @@ StressCase random_clouds() {
 }  // namespace
 
 std::vector<StressCase> invariance_cases() {
-  return {random_clouds(), draw_order(),   depth_shift(), dolly(),
-          layer_behind(),  screen_shift(), doubling(),    splitting()};
+  return {random_clouds(), draw_order(), depth_shift(), dolly(),     layer_behind(),
+          screen_shift(),  doubling(),   splitting(),   not_finite()};
 }
 
 }  // namespace plume::stress
