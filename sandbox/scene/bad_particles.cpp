@@ -52,7 +52,9 @@ std::string to_text(const BadParticles& bad) {
 }
 
 std::string remedy(const BadParticles& bad) {
-  if (!bad.first || bad.first->pane) return "";
+  if (!bad.first) return "";
+  if (bad.first->pane)
+    return "The numbers of panes are the scene's own: the driver miscalculates, compare another `--device`";
   return fmt::format(
       "Beyond a million kilometres counts as infinite: give `{}` in {}.toml drag, a shorter life or "
       "`[bounds]`. What can drive it there is {}; if that cannot, the driver miscalculates: compare another "

@@ -20,7 +20,7 @@ BadParticles bad_particles(const Stage& stage);
 
 /// "3 particles are not finite, and left out; first: smoke (left bank) / core #17". Empty: there is none.
 std::string to_text(const BadParticles& bad);
-/// What to do about them, in a sentence or two.
+/// What to do about them, in a sentence or two without the last full stop. Empty: there is none.
 std::string remedy(const BadParticles& bad);
 /// {"count": 3, "first": {"effect": …, "instance": …, "emitter": …, "birth": 17}}; first: null.
 nlohmann::json to_json(const BadParticles& bad);

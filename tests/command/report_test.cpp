@@ -151,6 +151,7 @@ TEST_F(ReportTest, ShowsRangesProbesNotesAndSensitivityWhereTheyWereMeasured) {
                          {"transmittance", {{1.0, 1.0, 1.0}, {0.5, 0.4, 0.3}, {0.2, 0.2, 0.2}}},
                          {"opaque_depth_m", nullptr},
                          {"zero_depth_m", 2.5}}};
+    sorted["bad_particles"]["count"] = 3;
     wboit["status"] = "failed: exit 4: device lost";
     results["sensitivity"] = {{{"scene", "quads_mcguire"},
                                {"tick", 0},
@@ -171,7 +172,8 @@ TEST_F(ReportTest, ShowsRangesProbesNotesAndSensitivityWhereTheyWereMeasured) {
                           "data-steps=\"1\""}));
   EXPECT_TRUE(says(dom, {"Busy &lt;/script&gt;&lt;b&gt;machine", "[1.50–2.50]",
                          "plume compare quads_mcguire --size 32x18 --only quads_mcguire_000000_sorted",
-                         "failed: exit 4: device lost", "eq7 → eq8", "0.200 less error for each ms more"}));
+                         "failed: exit 4: device lost", "3 bad particles", "eq7 → eq8",
+                         "0.200 less error for each ms more"}));
 }
 
 }  // namespace

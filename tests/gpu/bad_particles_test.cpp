@@ -36,7 +36,7 @@ name = "fire"   # a light to the others
   lit = false
   emission = [6.0, 3.0, 1.0]
 [[emitter]]
-name = "streaks"   # stretched along their velocity
+name = "streaks"   # stretched along their velocity, and of the same fire
   spawn = {bursts = [[0, 12]], life = 600}
   shape = {kind = "sphere", radius_m = 1.5}
   motion = {speed = 0.2}
@@ -44,6 +44,7 @@ name = "streaks"   # stretched along their velocity
   radius_m = 0.1
   opacity = 0.6
   stretch_s = 1.0
+  emission = [0.5, 1.0, 2.0]
   transmission = [0.2, 0.6, 0.9]
 [[emitter]]
 name = "ribbon"
