@@ -85,7 +85,7 @@ class Avboit final : public Method {
          .what = "Pixels whose coloured events share a slice, which are left untinted",
          .remedy = "Raise `slices`, or set `colour` to rgb"},
         {.statistic = "layers_merged",
-         .what = "Fragments of sharp cards that found no exact layer free and were merged behind them",
+         .what = "Fragments of sharp cards that found no exact layer free and were merged into one slab",
          .remedy = "Raise `exact_layers`"}};
     constexpr size_t kOfAdaptation = 2;
     return std::span(kShortfalls).subspan(settings_.adaptive ? 0 : kOfAdaptation);
