@@ -4,7 +4,6 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
-#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <half.h>
 #include <png.h>
@@ -14,13 +13,16 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <span>
 #include <stdexcept>
 
+#include "sandbox/presets/diagnostics.h"
+
 namespace plume {
 namespace {
+
+constexpr size_t kLongestReason = 400;  // bytes; libraries quote from the file
 
 static_assert(sizeof(std::array<uint8_t, 3>) == 3 && sizeof(glm::vec3) == 3 * sizeof(float),
               "both libraries are handed packed pixels");
@@ -57,7 +59,8 @@ uint32_t big_endian(const uint8_t* bytes) {
 
 // libpng stops once it has the last pixel, so damage behind it goes unseen, and it only warns of some damage
 // before it. Checking each chunk's sum first makes "it read" mean "it is what was written".
-std::string png_damage(std::span<const uint8_t> bytes) {
+// `data_bytes` is how many bytes of packed pixels there are.
+std::string png_damage(std::span<const uint8_t> bytes, uint64_t& data_bytes) {
   constexpr size_t kSignature = 8, kLength = 4, kType = 4, kCrc = 4;
   if (bytes.size() < kSignature || png_sig_cmp(bytes.data(), 0, kSignature) != 0) return "not a PNG file";
   for (bytes = bytes.subspan(kSignature); bytes.size() >= kLength + kType + kCrc;) {
@@ -66,7 +69,8 @@ std::string png_damage(std::span<const uint8_t> bytes) {
     const std::string type(reinterpret_cast<const char*>(bytes.data()) + kLength, kType);
     const uint8_t* crc = bytes.data() + kLength + kType + length;
     if (crc32_z(0, bytes.data() + kLength, kType + length) != big_endian(crc))
-      return "damaged PNG: chunk " + type + " fails its checksum";
+      return "damaged PNG: chunk " + printable(type) + " fails its checksum";
+    if (type == "IDAT") data_bytes += length;
     if (type == "IEND") return {};
     bytes = bytes.subspan(kLength + kType + length + kCrc);
   }
@@ -87,24 +91,6 @@ class MemoryOutput : public Imf::OStream {
 
  private:
   std::vector<uint8_t> bytes_;
-  size_t position_ = 0;
-};
-
-class MemoryInput : public Imf::IStream {
- public:
-  explicit MemoryInput(std::span<const uint8_t> bytes) : Imf::IStream("memory"), bytes_(bytes) {}
-  bool read(char c[], int n) override {
-    if (n < 0 || position_ > bytes_.size() || bytes_.size() - position_ < static_cast<size_t>(n))
-      throw std::runtime_error("truncated EXR");
-    std::memcpy(c, bytes_.data() + position_, n);
-    position_ += n;
-    return position_ < bytes_.size();
-  }
-  uint64_t tellg() override { return position_; }
-  void seekg(uint64_t position) override { position_ = position; }
-
- private:
-  std::span<const uint8_t> bytes_;
   size_t position_ = 0;
 };
 
@@ -140,41 +126,6 @@ std::vector<half> halves(const std::filesystem::path& path, const Image& image) 
   return out;
 }
 
-// Throws what is wrong with the file, without its path.
-Image decode_exr(std::span<const uint8_t> bytes) {
-  // The library's only limit is one for the whole process; without it a header could ask for any amount of
-  // memory.
-  static std::once_flag limit;
-  std::call_once(limit, [] { Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide); });
-  MemoryInput stream(bytes);
-  Imf::InputFile file(stream);
-  const Imath::Box2i window = file.header().dataWindow();
-  const int64_t width = int64_t{window.max.x} - window.min.x + 1;
-  const int64_t height = int64_t{window.max.y} - window.min.y + 1;
-  if (const std::string fault = size_fault(width, height); !fault.empty()) throw std::runtime_error(fault);
-  for (const char* name : kChannels) {
-    const Imf::Channel* channel = file.header().channels().findChannel(name);
-    if (!channel) throw std::runtime_error(std::string("no channel ") + name + "; R, G and B are needed");
-    if (channel->xSampling != 1 || channel->ySampling != 1)
-      throw std::runtime_error(std::string("channel ") + name + " is subsampled; it must be full size");
-  }
-
-  // Grown as lines arrive: a small file that claims a huge size must run out of data, not us out of memory.
-  constexpr int kLinesAtOnce = 64;
-  Image image{static_cast<int>(width), static_cast<int>(height), {}};
-  for (int y = 0; y < image.height; y += kLinesAtOnce) {
-    const int lines = std::min(kLinesAtOnce, image.height - y);
-    const size_t first = image.pixels.size();
-    image.pixels.resize(first + static_cast<size_t>(lines) * image.width);
-    Imath::Box2i block = window;
-    block.min.y = window.min.y + y;
-    block.max.y = block.min.y + lines - 1;
-    file.setFrameBuffer(frame_buffer(Imf::FLOAT, &image.pixels[first].x, block));
-    file.readPixels(block.min.y, block.max.y);
-  }
-  return image;
-}
-
 }  // namespace
 
 std::vector<uint8_t> png_bytes(const DisplayImage& image) {
@@ -196,19 +147,30 @@ void write_png(const std::filesystem::path& path, const DisplayImage& image) {
 }
 
 DisplayImage read_png(const std::filesystem::path& path) {
-  const std::vector<uint8_t> bytes = read_file(path);
-  if (const std::string damage = png_damage(bytes); !damage.empty()) throw FileError(path, damage);
+  return read_png_bytes(read_file(path), path);
+}
+
+DisplayImage read_png_bytes(std::span<const uint8_t> bytes, const std::filesystem::path& path) {
+  uint64_t data_bytes = 0;
+  if (const std::string damage = png_damage(bytes, data_bytes); !damage.empty())
+    throw FileError(path, damage);
   PngImage png;
-  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) throw FileError(path, png.message);
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
+    throw FileError(path, printable(png.message, kLongestReason));
   if (const std::string fault = size_fault(png.width, png.height); !fault.empty())
     throw FileError(path, fault);
+  // Deflate packs 1032 bytes into one at most, and a pixel has at least a bit: no room for what cannot come.
+  if (uint64_t{png.width} * png.height > data_bytes * 1032 * 8)
+    throw FileError(path, "truncated PNG: " + std::to_string(data_bytes) + " bytes of data cannot hold " +
+                              size_text(png.width, png.height) + " pixels");
   png.format = PNG_FORMAT_RGBA;
   png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
 
-  // Left uninitialised: the pages of a huge claim are only used as far as the file has data for them.
+  // Left uninitialised: pages are only used as far as the file has data for them.
   const std::unique_ptr<uint8_t[]> rgba(new (std::nothrow) uint8_t[PNG_IMAGE_SIZE(png)]);
   if (!rgba) throw FileError(path, "not enough memory for " + size_text(png.width, png.height) + " pixels");
-  if (!png_image_finish_read(&png, nullptr, rgba.get(), 0, nullptr)) throw FileError(path, png.message);
+  if (!png_image_finish_read(&png, nullptr, rgba.get(), 0, nullptr))
+    throw FileError(path, printable(png.message, kLongestReason));
 
   DisplayImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
   image.pixels.resize(static_cast<size_t>(png.width) * png.height);
@@ -238,14 +200,15 @@ void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecisi
 }
 
 Image read_exr(const std::filesystem::path& path) {
-  const std::vector<uint8_t> bytes = read_file(path);
-  try {
-    return decode_exr(bytes);
-  } catch (const std::bad_alloc&) {
-    throw FileError(path, "not enough memory for the image it claims to hold");
-  } catch (const std::exception& error) {
-    throw FileError(path, error.what());
-  }
+  return read_exr_bytes(read_file(path), path);
+}
+
+Image read_exr_bytes(std::span<const uint8_t> bytes, const std::filesystem::path& path) try {
+  return decode_exr(bytes);
+} catch (const std::bad_alloc&) {
+  throw FileError(path, "not enough memory for the image it claims to hold");
+} catch (const std::exception& error) {
+  throw FileError(path, printable(error.what(), kLongestReason));
 }
 
 }  // namespace plume

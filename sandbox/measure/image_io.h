@@ -8,14 +8,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
+#include "sandbox/measure/decode_exr.h"
 #include "sandbox/measure/file_bytes.h"
 #include "sandbox/measure/image.h"
 
 namespace plume {
-
-inline constexpr int kMaxImageSide = 32768;  ///< pixels
 
 enum class ExrPrecision { kHalf, kFloat };
 
@@ -30,6 +30,8 @@ void write_png(const std::filesystem::path& path, const DisplayImage& image);
 /// taken as sRGB unless a gAMA chunk says otherwise; then libpng converts them, with a power of 1/2.2 for
 /// sRGB.
 DisplayImage read_png(const std::filesystem::path& path);
+/// The same from the bytes of a file; `path` names it in messages.
+DisplayImage read_png_bytes(std::span<const uint8_t> bytes, const std::filesystem::path& path);
 
 /// Writes linear RGB with lossless ZIP compression. Throws FileError, also for a finite value too large for
 /// kHalf (65504). Infinities and NaNs are kept: they are what the renderer computed.
@@ -38,8 +40,11 @@ void write_exr(const std::filesystem::path& path, const Image& image,
 
 /// Reads the data window of a flat OpenEXR file with the full-size channels R, G and B (half, float or uint).
 /// Other channels and the chromaticities are ignored. The format has checksums for compressed pixels alone:
-/// other damage is refused where it makes the file unreadable, and else goes unseen.
+/// other damage is refused where it makes the file unreadable, and else goes unseen. Tiles have at most
+/// kMaxTileSide a side.
 Image read_exr(const std::filesystem::path& path);
+/// The same from the bytes of a file; `path` names it in messages.
+Image read_exr_bytes(std::span<const uint8_t> bytes, const std::filesystem::path& path);
 
 }  // namespace plume
 #endif
