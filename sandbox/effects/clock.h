@@ -13,6 +13,7 @@ namespace plume {
 /// at `from`.
 struct Freeze {
   uint32_t from, until;
+  bool operator==(const Freeze&) const = default;
 };
 
 class Clock {

@@ -18,6 +18,7 @@ class Path {
   struct Key {
     uint32_t tick;       // since the call
     glm::vec3 position;  // m
+    bool operator==(const Key&) const = default;
   };
   static constexpr int kFractionBits = 20;
   static constexpr double kLongest_m = 1e9;
@@ -35,6 +36,7 @@ class Path {
   };
   Way way(uint32_t tick) const;
   double length_m() const;
+  bool operator==(const Path&) const = default;
 
  private:
   std::vector<Key> keys_;

@@ -295,7 +295,7 @@ std::vector<Diagnostic> check_references(const Effect& effect, const PresetLibra
   for (const MeshName& mesh : mesh_names(effect)) try {
       library.find(PresetKind::kMesh, mesh.id);
     } catch (const PresetError& error) {
-      found.push_back({mesh.file, mesh.line, mesh.column, error.what()});
+      found.push_back({mesh.file, mesh.line, mesh.column, printable(error.what(), SIZE_MAX)});
     }
   return found;
 }

@@ -18,6 +18,7 @@
 namespace plume {
 namespace {
 
+constexpr uint32_t kMaxTicks = 1'000'000;
 constexpr size_t kMaxMethods = 1'000, kMaxShots = 100'000;
 constexpr uint32_t kMaxSlices = 65'536;             // of any view
 constexpr Limits kShown{-3.4e38, 3.4e38, "units"};  // what a view can show: any number
@@ -127,7 +128,7 @@ Replay read_replay_text(std::string_view text, const std::string& file) {
     if (top.integer("seed", seed, {0, UINT32_MAX})) replay.seed = seed;
     top.size("size", replay.size, kPixels);
     const bool recording = top.has("shot");
-    if (!recording || top.has("ticks")) read_ticks(top, replay.ticks, alone);
+    if (!recording || top.has("ticks")) read_ticks(top, replay.ticks, alone, kMaxTicks);
     top.integer("frames", replay.frames, {1, 100'000});
     top.integer("warmup", replay.warmup, {0, 100'000});
     replay.camera = read_camera(top, false);
@@ -160,7 +161,7 @@ std::vector<Diagnostic> check_references(const Replay& replay, const PresetLibra
     try {
       all.find(PresetKind::kScene, scene);
     } catch (const PresetError& error) {
-      found.push_back({at.file, at.line, at.column, error.what()});
+      found.push_back({at.file, at.line, at.column, printable(error.what(), SIZE_MAX)});
     }
   };
   if (!replay.scene.empty()) look_up(replay.scene, replay.scene_at);

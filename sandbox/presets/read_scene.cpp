@@ -51,6 +51,20 @@ void read_light(TableReader& light, Light& out) {
   light.number("fire_light", out.fire_light, {0, 100});
 }
 
+/// What it is made of stands in the files that are written of scenes, and must be within the limits of
+/// solids.
+void read_figure(TableReader& table, const std::vector<Solid>& parts, std::vector<Solid>& out) {
+  const auto inside = [](const glm::vec3& p) {
+    const glm::vec3 far = glm::abs(p);
+    return std::max({far.x, far.y, far.z}) <= kPlace.max;
+  };
+  if (!std::ranges::all_of(parts,
+                           [&](const Solid& part) { return inside(part.position) && inside(part.end); }))
+    table.report("position",
+                 fmt::format("a figure here reaches beyond {} m, expected it farther inside", kPlace.max));
+  out.insert(out.end(), parts.begin(), parts.end());
+}
+
 /// Asks only for what the kind uses, so that a key without effect is reported as unknown.
 void read_solid(TableReader& table, std::vector<Solid>& out) {
   uint32_t kind = kFigure;
@@ -80,10 +94,11 @@ void read_solid(TableReader& table, std::vector<Solid>& out) {
   float height = 1.75f;
   if (figure) table.number("height_m", height, {0.1, 100, "m"});
   if (!known) return;
-  if (!figure) return out.push_back(solid);
-  for (const Solid& part :
-       standing_figure(solid.position, solid.yaw_deg, height, solid.color, solid.material))
-    out.push_back(part);
+  if (!figure)
+    out.push_back(solid);
+  else
+    read_figure(table, standing_figure(solid.position, solid.yaw_deg, height, solid.color, solid.material),
+                out);
 }
 
 Pane read_pane(TableReader& table) {
@@ -285,7 +300,14 @@ void read_top(TableReader& top, Scene& scene) {
     lens.number("aperture_mm", out.aperture_mm, {0.1, 1000, "mm"}, Need::kRequired);
   });
   scene.camera = read_camera(top, true);
-  top.tables("solid", kMaxSolids, [&](TableReader& table) { read_solid(table, scene.solids); });
+  top.tables("solid", kMaxSolids, [&](TableReader& table) {
+    const size_t before = scene.solids.size();
+    read_solid(table, scene.solids);
+    if (before <= kMaxSolids && scene.solids.size() > kMaxSolids)
+      table.report("kind",
+                   fmt::format("there are {} solids with those that figures are made of, expected at most {}",
+                               scene.solids.size(), kMaxSolids));
+  });
   top.tables("pane", kMaxPanes, [&](TableReader& table) { scene.panes.push_back(read_pane(table)); });
   top.tables("instance", kMaxInstances, [&](TableReader& table) {
     Instance instance = read_instance(table, top.file());
@@ -337,6 +359,7 @@ std::vector<Diagnostic> check_references(const Scene& scene, const PresetLibrary
       // Whatever is wrong in an effect is reported when that is read.
     }
   check_total(loads, found);
+  for (Diagnostic& d : found) d.message = printable(d.message, d.message.size());  // names are quoted in it
   return found;
 }
 

@@ -16,7 +16,7 @@ namespace plume {
 namespace {
 
 constexpr size_t kMaxSweeps = 1'000, kMaxScenes = 1'000, kMaxSizes = 1'000, kMaxSpans = 1'000;
-constexpr double kMaxJobs = 100'000;
+constexpr uint32_t kMaxJobs = 100'000;
 constexpr Limits kSeed{0, UINT32_MAX};
 
 /// The value as the method has it, so that 1 and 1.0 are the same; null when it does not take it. `said`: the
@@ -62,7 +62,7 @@ Sweep read_sweep(TableReader& table) {
   sweep.at = place("");
   table.texts("scenes", sweep.scenes, kMaxScenes, Need::kRequired);
   sweep.scenes_at = place("scenes");
-  read_ticks(table, sweep.ticks, Need::kOptional);
+  read_ticks(table, sweep.ticks, Need::kOptional, kMaxJobs);
   table.sizes("sizes", sweep.sizes, kMaxSizes, kPixels);
   table.ascending("seeds", sweep.seeds, kSeed, 1);
   table.tables(

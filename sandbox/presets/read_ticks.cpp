@@ -5,13 +5,8 @@
 #include "sandbox/presets/read_scene.h"
 
 namespace plume {
-namespace {
 
-constexpr size_t kMaxTicks = 1'000'000;
-
-}  // namespace
-
-void read_ticks(TableReader& top, std::vector<uint32_t>& ticks, Need need) {
+void read_ticks(TableReader& top, std::vector<uint32_t>& ticks, Need need, uint32_t at_most) {
   if (!top.is_table("ticks")) {
     top.ascending("ticks", ticks, kTick, 1);
     if (need == Need::kRequired && !top.has("ticks"))
@@ -25,9 +20,9 @@ void read_ticks(TableReader& top, std::vector<uint32_t>& ticks, Need need) {
     table.integer("step", step, {1, kTick.max, kTick.unit});
     if (read && last < first)
       table.report("last", fmt::format("`last` is {}, expected at least `first`, {}", last, first));
-    else if (const uint32_t count = (last - first) / step + 1; read && count > kMaxTicks)
+    else if (const uint32_t count = (last - first) / step + 1; read && count > at_most)
       table.report("last",
-                   fmt::format("{} ticks are played, expected at most {}: raise `step`", count, kMaxTicks));
+                   fmt::format("{} ticks are played, expected at most {}: raise `step`", count, at_most));
     else if (read)
       for (uint32_t tick = first; tick <= last; tick += step) ticks.push_back(tick);
   });

@@ -6,7 +6,8 @@
 
 namespace plume {
 
-void read_ticks(TableReader& table, std::vector<uint32_t>& ticks, Need need);
+/// More than `at_most` by { first, last, step } are an error: few bytes could ask for any amount of memory.
+void read_ticks(TableReader& table, std::vector<uint32_t>& ticks, Need need, uint32_t at_most);
 
 }  // namespace plume
 #endif

@@ -142,7 +142,9 @@ void TableReader::exactly_one(std::string_view key, std::string_view other) {
 }
 
 void TableReader::report(toml::source_position position, std::string message) {
-  found_.push_back({file_, std::max(1u, position.line), std::max(1u, position.column), std::move(message)});
+  // Names and texts of the file are quoted in it.
+  found_.push_back({file_, std::max(1u, position.line), std::max(1u, position.column),
+                    printable(message, message.size())});
 }
 
 void TableReader::report(std::string_view key, std::string message) {

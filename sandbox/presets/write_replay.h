@@ -8,7 +8,7 @@
 
 namespace plume {
 
-/// All but the id and the folder of presets, which the file's place gives.
+/// All but the id and the folder of presets, which the file's place gives, of a replay without sweeps.
 std::string replay_text(const Replay& replay);
 
 }  // namespace plume

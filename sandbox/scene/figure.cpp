@@ -44,7 +44,7 @@ std::vector<Solid> standing_figure(const glm::vec3& feet, float yaw_deg, float h
     solid.material = material;
     solid.color = color;
     solid.position = place(from);
-    solid.end = place(to);
+    if (kind == SolidKind::kCapsule) solid.end = place(to);
     solid.radius_m = radius * height_m;
     solids.push_back(solid);
   };

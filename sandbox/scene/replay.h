@@ -21,6 +21,7 @@ struct MethodRun {
   std::string id;  ///< a method of renderer/methods/methods.cpp
   std::map<std::string, std::string>
       settings;  ///< parameter -> value as text, checked against the method's list
+  bool operator==(const MethodRun&) const = default;
 };
 
 struct Capture {
@@ -29,6 +30,7 @@ struct Capture {
   bool error_maps = true;
   bool hdr = false;                ///< EXR of the linear image
   std::vector<glm::uvec2> pixels;  ///< whose transmittance over depth is kept; inside every picture
+  bool operator==(const Capture&) const = default;
 };
 /// Whether anything is kept of a tick beyond its numbers.
 inline bool is_captured(const Capture& capture, uint32_t tick) {
@@ -44,6 +46,7 @@ struct Shot {
   glm::uvec2 size{0};               ///< 0: the replay's
   std::optional<CameraKey> camera;  ///< of one's own, which does not move; nothing: the scene's
   ViewChoice view;                  ///< in the place of the picture
+  bool operator==(const Shot&) const = default;
 };
 
 struct Replay {
@@ -62,6 +65,7 @@ struct Replay {
   std::vector<Sweep> sweeps;       ///< instead of scene, seed, ticks and methods
   Capture capture;
   std::string presets;  ///< folder of scenes and effects that come before the library's; "": none
+  bool operator==(const Replay&) const = default;
 };
 
 }  // namespace plume

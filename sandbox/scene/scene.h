@@ -39,6 +39,7 @@ struct Solid {
   glm::vec3 size_m{1.0f};    ///< box: full extents; plane: extents in x and z
   float radius_m = 0.5f;     ///< sphere, capsule
   float yaw_deg = 0.0f;      ///< box, about +y
+  bool operator==(const Solid&) const = default;
 };
 
 /// A flat transparent rectangle (glass, card, painted quad).
@@ -53,12 +54,14 @@ struct Pane {
   float diffusion_deg = 0.0f;    ///< standard deviation of the angle by which what passes is scattered
   glm::vec3 emission{0.0f};
   int draw_order = 0;  ///< the artist's, for methods that take it: lower ones are drawn first, behind
+  bool operator==(const Pane&) const = default;
 };
 
 /// A thin lens: what is nearer or farther than the focus blurs.
 struct DepthOfField {
   float focus_m = 5.0f;       ///< view depth that is sharp
   float aperture_mm = 25.0f;  ///< diameter of the opening
+  bool operator==(const DepthOfField&) const = default;
 };
 
 struct CameraKey {
@@ -66,6 +69,7 @@ struct CameraKey {
   glm::vec3 position{0.0f, 1.7f, 8.0f};
   glm::vec3 target{0.0f, 1.0f, 0.0f};
   float vertical_fov_deg = 50.0f;
+  bool operator==(const CameraKey&) const = default;
 };
 
 enum class Tonemap : uint32_t { kNone, kAces };
@@ -80,12 +84,14 @@ struct Light {
   bool self_shadow = true;                    ///< smoke shadows itself, other smoke and what stands around
   uint32_t shadow_cells = 48;                 ///< of the extinction volume, each way
   float fire_light = 1.0f;  ///< what glows lights smoke and what stands around, times this; 0: it does not
+  bool operator==(const Light&) const = default;
 };
 
 /// Where a file names another preset, for messages once that name is looked up.
 struct FilePosition {
   std::string file;
   uint32_t line = 1, column = 1;
+  bool operator==(const FilePosition&) const = default;
 };
 
 /// What a scene says of a layer of an effect: its camera offset here, instead of the effect's.
@@ -93,6 +99,7 @@ struct LayerOffset {
   std::string layer;
   float camera_offset_m = 0.0f;
   FilePosition at;
+  bool operator==(const LayerOffset&) const = default;
 };
 
 struct Instance {
@@ -108,6 +115,7 @@ struct Instance {
   uint32_t seed = 0;
   int draw_order = 0;  ///< added to that of the effect's emitters
   std::vector<LayerOffset> layers;
+  bool operator==(const Instance&) const = default;
 };
 
 struct Scene {
@@ -129,6 +137,7 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<Pane> panes;
   std::vector<Instance> instances;
+  bool operator==(const Scene&) const = default;
 };
 
 /// The camera at a tick: linear between keys, constant outside them.

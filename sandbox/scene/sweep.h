@@ -19,6 +19,7 @@ struct Replay;
 struct MethodSpan {
   std::string id;
   std::map<std::string, std::vector<std::string>> settings;  ///< parameter -> values as text, at least one
+  bool operator==(const MethodSpan&) const = default;
 };
 
 struct Sweep {
@@ -29,6 +30,7 @@ struct Sweep {
   std::vector<glm::uvec2> sizes;    ///< empty: the replay's
   std::vector<uint32_t> seeds;      ///< ascending; empty: each scene's own
   std::vector<MethodSpan> methods;  ///< at least one
+  bool operator==(const Sweep&) const = default;
 };
 
 /// How many jobs a sweep spans; as a floating-point number, which does not overflow.

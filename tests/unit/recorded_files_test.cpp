@@ -223,6 +223,23 @@ TEST(WrittenReplay, ReadsBackTicksAndTheirCamera) {
   expect_same_lists(read.camera, replay.camera);
 }
 
+TEST(WrittenReplay, KeepsPixelsAndNumbersThatAFileWritesOtherwise) {
+  const Replay replay = read_replay_text(R"(
+name = "x"
+scene = "s"
+ticks = [0]
+[[method]]
+id = "wboit"
+depth_scale = "01."
+[capture]
+pixels = [[3, 5], [639, 0]]
+)",
+                                         "x.toml");
+  const Replay read = read_replay_text(replay_text(replay), "x.toml");
+  EXPECT_EQ(read.capture, replay.capture);
+  EXPECT_EQ(read.methods.at(0).settings.at("depth_scale"), "1");
+}
+
 TEST(ParameterTexts, GiveEveryMethodTheSameValuesToTheBit) {
   for (const std::string& id : method_ids()) {
     const auto method = make_method(id), other = make_method(id);
