@@ -19,7 +19,7 @@ namespace plume {
 enum ExitCode {
   kDone = 0,
   kToleranceExceeded = 1,  ///< also: a validation message under --validate
-  kBadUsage = 2,           ///< arguments or an input file
+  kBadUsage = 2,           ///< arguments, an input file, or a file that cannot be written
   kNoDevice = 3,
   kDeviceFailed = 4,
   kInterrupted = 130

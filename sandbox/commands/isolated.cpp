@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -9,6 +10,7 @@
 #include "renderer/gpu/errors.h"
 #include "sandbox/commands/child.h"
 #include "sandbox/commands/command.h"
+#include "sandbox/measure/file_bytes.h"
 #include "sandbox/runs/machine_load.h"
 
 namespace plume {
@@ -51,7 +53,7 @@ class Isolation {
     manifest_.write(Manifest::When::kNow);
     return outcome_;
   } catch (...) {
-    manifest_.write(Manifest::When::kNow);
+    manifest_.write_what_is_done();
     throw;
   }
 
@@ -98,8 +100,11 @@ class Isolation {
     std::vector<std::string> arguments = arguments_;
     arguments.insert(arguments.end(), {"--only", job.id, "--out", (folder_ / job.id).string(), "--as-job"});
     const Ending ending = run_child(arguments, options_.interrupted);
-    if (ending.exit_code == kInterrupted) throw Interrupted();
+    // Ctrl+C reaches both, and ours on top of it is the second, which ends the job at once.
+    if (ending.signal == SIGINT || ending.exit_code == kInterrupted) throw Interrupted();
     if (ending.exit_code == kNoDevice) throw gpu::NoUsableDevice(why(ending));
+    // A full disk, a preset that broke: no other job would fare better.
+    if (ending.exit_code == kBadUsage) throw std::runtime_error(fmt::format("{}: {}", job.id, why(ending)));
     return ending;
   }
 
@@ -115,7 +120,7 @@ class Isolation {
     manifest_.set_environment(results.environment);
     FrameResult frame = std::move(results.frames.at(0));
     for (const std::string& file : {frame.image, frame.error_map, frame.hdr})
-      if (!file.empty()) fs::rename(from / file, manifest_.folder() / file);
+      if (!file.empty()) rename_file(from / file, manifest_.folder() / file);
     manifest_.record(moment, place, std::move(frame));
     manifest_.record(moment, std::move(results.moments.at(0)));
   }

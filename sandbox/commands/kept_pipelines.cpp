@@ -25,9 +25,8 @@ void KeptPipelines::keep(const gpu::PipelineCache& cache) {
   if (file_.empty()) return;
   std::vector<uint8_t> now = cache.bytes();
   if (now == bytes_) return;
-  std::error_code failure;
-  fs::create_directories(file_.parent_path(), failure);
-  if (failure) throw FileError(file_.parent_path(), failure.message());
+  make_folder(file_.parent_path());
+  remove_abandoned(file_.parent_path());
   write_file(file_, now);
   bytes_ = std::move(now);
 }

@@ -103,7 +103,7 @@ void commands(Interface& interface) {
 void save_picture_of(Workspace& workspace, const std::filesystem::path& scene) {
   if (!workspace.shown()) return;
   const std::filesystem::path file = picture_path(PresetKind::kScene, scene);
-  std::filesystem::create_directories(file.parent_path());
+  make_folder(file.parent_path());
   write_png(file, small_picture(shown_picture(workspace), kPictureSize));
 }
 

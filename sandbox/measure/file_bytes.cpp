@@ -21,15 +21,12 @@ std::string reason(int error) {
   return std::generic_category().message(error);
 }
 
+std::span<const uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
 // Other threads and other shards may be writing beside us, perhaps the same file.
 constexpr std::string_view kTemporary = ".tmp-";
-
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  static std::atomic<unsigned> count{0};
-  std::filesystem::path temporary = path;
-  temporary += std::string(kTemporary) + std::to_string(::getpid()) + "-" + std::to_string(count++);
-  return temporary;
-}
 
 // Returns 0 or the errno of what failed.
 int write_all(int file, std::span<const uint8_t> bytes) {
@@ -43,6 +40,13 @@ int write_all(int file, std::span<const uint8_t> bytes) {
 }
 
 }  // namespace
+
+std::filesystem::path temporary_beside(const std::filesystem::path& path) {
+  static std::atomic<unsigned> count{0};
+  std::filesystem::path temporary = path;
+  temporary += std::string(kTemporary) + std::to_string(::getpid()) + "-" + std::to_string(count++);
+  return temporary;
+}
 
 std::vector<uint8_t> read_file(const std::filesystem::path& path) {
   const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
@@ -80,9 +84,23 @@ void write_file(const std::filesystem::path& path, std::span<const uint8_t> byte
   write_and_rename(path, bytes, {}, false);
 }
 
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  write_file(path, bytes_of(text));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  if (!folder.empty()) std::filesystem::create_directories(folder, failure);
+  if (failure) throw FileError(folder, failure.message());
+}
+
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) throw FileError(to, reason(errno));
+}
+
 void remove_abandoned(const std::filesystem::path& folder) {
-  std::error_code gone;  // by somebody else
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  std::error_code gone;  // by somebody else, or not ours to look at
+  for (const auto& entry : std::filesystem::directory_iterator(folder, gone)) {
     const std::string name = entry.path().filename().string();
     const size_t at = name.rfind(kTemporary);
     if (at == name.npos) continue;
@@ -91,9 +109,11 @@ void remove_abandoned(const std::filesystem::path& folder) {
   }
 }
 
-void replace_file(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+void replace_file(const std::filesystem::path& path, std::string_view text) {
+  const std::span<const uint8_t> bytes = bytes_of(text);
   std::error_code absent;
   const std::filesystem::path target = std::filesystem::canonical(path, absent);
+  remove_abandoned(std::filesystem::absolute(absent ? path : target).parent_path());
   struct stat old {};
   if (absent || ::stat(target.c_str(), &old) != 0) return write_and_rename(path, bytes, {}, true);
   // Renaming would get around the bit that protects it.

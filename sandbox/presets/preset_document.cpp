@@ -207,8 +207,7 @@ void PresetDocument::save(OverChanges over) {
       throw ChangedOnDisk(fmt::format("{}: not saved, the file {} since it was read", path_.string(),
                                       there ? "was changed by another program" : "is gone or unreadable"));
   }
-  const std::string& now = text();
-  replace_file(path_, {reinterpret_cast<const uint8_t*>(now.data()), now.size()});
+  replace_file(path_, text());
   on_disk_ = text();
   watch_.know(on_disk_);
 }
@@ -216,8 +215,8 @@ void PresetDocument::save(OverChanges over) {
 void PresetDocument::save_as(const std::filesystem::path& path) {
   if (std::filesystem::exists(path))
     throw std::invalid_argument(fmt::format("{} is there already, expected a new name", path.string()));
-  std::filesystem::create_directories(path.parent_path());
-  replace_file(path, {reinterpret_cast<const uint8_t*>(text().data()), text().size()});
+  make_folder(path.parent_path());
+  replace_file(path, text());
   path_ = path;
   on_disk_ = text();
   watch_ = FileWatch(path_, on_disk_);

@@ -94,7 +94,7 @@ void write_report(const std::filesystem::path& path, const Results& results, uin
       page_pictures(path.parent_path(), files, most_bytes > fixed ? most_bytes - fixed : 0);
   const std::string page =
       assemble_page("page.html", page_data(results, pictures), picture_elements(pictures));
-  write_file(path, {reinterpret_cast<const uint8_t*>(page.data()), page.size()});
+  write_file(path, page);
 }
 
 }  // namespace plume

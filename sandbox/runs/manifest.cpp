@@ -15,10 +15,6 @@ using nlohmann::json;
 constexpr std::array kIdentity = {"device", "driver", "api", "build", "commit", "threads"};
 constexpr int kRest = 9;  // times as long as a write took before the next
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  write_file(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
-}
-
 }  // namespace
 
 std::optional<Disagreement> disagreement(const json& first, const json& second) {
@@ -29,16 +25,15 @@ std::optional<Disagreement> disagreement(const json& first, const json& second) 
 }
 
 void write_results(const std::filesystem::path& folder, const Results& results) {
-  write_text(folder / "results.json", to_json(results).dump(2) + "\n");
-  write_text(folder / "results.csv", to_csv(results));
+  write_file(folder / "results.json", to_json(results).dump(2) + "\n");
+  write_file(folder / "results.csv", to_csv(results));
 }
 
 Manifest::Manifest(const Plan& plan, std::filesystem::path folder, std::string command)
     : plan_(plan), folder_(std::move(folder)), frames_(plan.jobs) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder_, failure);
-  if (failure) throw FileError(folder_, failure.message());
+  make_folder(folder_);
   lock_.emplace(folder_);
+  remove_abandoned(folder_);
   head_.command = std::move(command);
   head_.plan = plan.id;
   head_.order = plan.order();
@@ -66,7 +61,6 @@ void Manifest::go_on() {
   }
   head_.environment = std::move(before.environment);
   head_.notes = earlier_notes_ = std::move(before.notes);
-  remove_abandoned(folder_);
 }
 
 void Manifest::set_environment(const json& environment) {
@@ -110,6 +104,13 @@ void Manifest::write(When when) {
   write_results(folder_, results());
   written_ = Clock::now();
   writing_ = written_ - begin;
+}
+
+void Manifest::write_what_is_done() noexcept {
+  try {
+    write(When::kNow);
+  } catch (const std::exception&) {  // most likely what we are here for: a full disk
+  }
 }
 
 Results Manifest::results() const {

@@ -39,6 +39,9 @@ class Manifest {
   /// Writes both files; `sparingly`: unless that would cost more than a tenth of the time since it began.
   enum class When { kNow, kSparingly };
   void write(When when);
+  /// Writes both while an error is on its way to the user, whose place no other takes: where writing fails
+  /// too, what was written last stays, and fewer frames are kept.
+  void write_what_is_done() noexcept;
 
   const std::filesystem::path& folder() const { return folder_; }
   Results results() const;

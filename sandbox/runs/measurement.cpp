@@ -104,7 +104,7 @@ class Measurement {
     }
     manifest_.write(Manifest::When::kNow);
   } catch (...) {
-    manifest_.write(Manifest::When::kNow);
+    manifest_.write_what_is_done();
     throw;
   }
 

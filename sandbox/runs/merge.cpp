@@ -137,10 +137,10 @@ Results merge(const std::vector<fs::path>& folders, const fs::path& out) {
   if (const auto processors = differing_processors(parts))
     all.notes = joined(std::move(all.notes), {{"processors", *processors}});
 
-  std::error_code failure;
-  fs::create_directories(out, failure);
-  if (failure) throw FileError(out, failure.message());
+  make_folder(out);
   const FolderLock lock(out);
+  remove_abandoned(out);
+  write_results(out, all);  // without frames: what an earlier run left here is over from now on
   for (const std::string& job : all.order) {
     const Drawn& found = drawn.at(job);
     for (const std::string& file : files_of(*found.frame))

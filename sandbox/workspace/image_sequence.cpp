@@ -13,9 +13,7 @@ ImageSequence::ImageSequence(Workspace& workspace, SequenceOptions options)
       scene_(workspace.scene().id),
       playback_before_(workspace.playback),
       resolution_before_(workspace.resolution) {
-  std::error_code failure;
-  std::filesystem::create_directories(options_.folder, failure);
-  if (failure) throw FileError(options_.folder, failure.message());
+  make_folder(options_.folder);
   if (workspace_.playback.playing()) workspace_.playback.toggle();
   workspace_.resolution.adapts = false;
   workspace_.resolution.set_step(0);

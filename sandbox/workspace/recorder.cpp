@@ -20,10 +20,8 @@ bool is_same(const std::optional<CameraKey>& a, const std::optional<CameraKey>& 
 }
 
 void write_text(const fs::path& file, const std::string& text) {
-  std::error_code failure;
-  if (!file.parent_path().empty()) fs::create_directories(file.parent_path(), failure);
-  if (failure) throw FileError(file.parent_path(), failure.message());
-  write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+  make_folder(file.parent_path());
+  write_file(file, text);
 }
 
 }  // namespace
@@ -104,9 +102,20 @@ bool Recorder::library_has(const State& state, const PresetLibrary& library) try
 
 void Recorder::save(const fs::path& file, const PresetLibrary& library) {
   if (replay_.shots.empty()) throw std::runtime_error("nothing was drawn while recording");
-  Replay replay = replay_;
   fs::path folder = file;
-  folder.replace_extension();
+  const bool is_ours = !fs::exists(folder.replace_extension());
+  try {
+    write(file, folder, library);
+  } catch (...) {  // a part of a recording is none
+    std::error_code gone;
+    if (is_ours) fs::remove_all(folder, gone);
+    throw;
+  }
+  discard();
+}
+
+void Recorder::write(const fs::path& file, const fs::path& folder, const PresetLibrary& library) const {
+  Replay replay = replay_;
   std::vector<std::string> names;
   for (size_t i = 0; i < states_.size(); ++i) {
     // A replay begins a scene anew where the name is another.
@@ -142,7 +151,6 @@ void Recorder::save(const fs::path& file, const PresetLibrary& library) {
   const std::string text = replay_text(replay);
   const Replay read = read_replay_text(text, file.string());  // before it is trusted to be one
   write_text(file, text);
-  discard();
 }
 
 }  // namespace plume

@@ -22,8 +22,9 @@ class Recorder {
   /// Pictures so far; two for each drawing of a split view.
   size_t shots() const { return replay_.shots.size(); }
   /// Writes the replay, and the presets it needs that `library` does not have as they were into the folder of
-  /// the same name without extension. Ends the recording where that succeeds. Throws FileError, FileErrors
-  /// where the replay would not be read, and std::runtime_error when nothing was drawn.
+  /// the same name without extension. Ends the recording where that succeeds; otherwise it leaves nothing,
+  /// and can be tried again. Throws FileError, FileErrors where the replay would not be read, and
+  /// std::runtime_error when nothing was drawn.
   void save(const std::filesystem::path& file, const PresetLibrary& library);
   /// Ends the recording without a file.
   void discard();
@@ -38,6 +39,8 @@ class Recorder {
   };
   size_t state_of(const Workspace& workspace);
   size_t method_of(MethodInstance& instance);
+  void write(const std::filesystem::path& file, const std::filesystem::path& folder,
+             const PresetLibrary& library) const;
   static bool library_has(const State& state, const PresetLibrary& library);
 
   bool recording_ = false;

@@ -148,11 +148,8 @@ std::string put_aside(const fs::path& file) {
 }
 
 void save_settings(const fs::path& file, const Settings& settings) {
-  std::error_code failure;
-  fs::create_directories(file.parent_path(), failure);
-  if (failure) throw FileError(file.parent_path(), failure.message());
-  const std::string text = settings_text(settings);
-  replace_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+  make_folder(file.parent_path());
+  replace_file(file, settings_text(settings));
 }
 
 void visit_scene(Settings& settings, const std::string& scene) {

@@ -16,6 +16,7 @@
 #include <system_error>
 #include <vector>
 
+#include "sandbox/measure/file_bytes.h"
 #include "sandbox/workspace/image_sequence.h"
 
 extern char** environ;
@@ -59,7 +60,7 @@ bool Video::is_available() {
 }
 
 Video::Video(const fs::path& pictures, fs::path file, uint32_t frames, double frames_per_second)
-    : file_(std::move(file)), total_(frames) {
+    : file_(std::move(file)), unfinished_(temporary_beside(file_)), total_(frames) {
   std::vector<std::string> words{"ffmpeg",
                                  "-y",
                                  "-nostdin",
@@ -81,7 +82,9 @@ Video::Video(const fs::path& pictures, fs::path file, uint32_t frames, double fr
                                  "16",
                                  "-pix_fmt",
                                  "yuv420p",
-                                 file_.string()};
+                                 "-f",
+                                 "mp4",  // which the temporary name does not tell
+                                 unfinished_.string()};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -111,6 +114,8 @@ Video::~Video() {
   }
   ::close(progress_);
   ::close(complaints_);
+  std::error_code absent;
+  fs::remove(unfinished_, absent);
 }
 
 void Video::poll() {
@@ -124,6 +129,7 @@ void Video::poll() {
   if (!ended) return;
   child_ = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    rename_file(unfinished_, file_);
     done_ = total_;
     return;
   }

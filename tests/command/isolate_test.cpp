@@ -88,5 +88,26 @@ TEST_F(IsolateTest, InterruptionStopsTheJobToo) {
   EXPECT_FALSE(fs::exists(at("out/.jobs")));
 }
 
+// As a terminal does: the job is told by it and by the program.
+TEST_F(IsolateTest, CtrlCIsNoFailureOfTheJob) {
+  write("my script.toml", street_script("{first = 0, last = 200}", "[[method]]\nid = 'sorted'\n"));
+  for (const int ms : {10, 60, 110, 160, 210}) {
+    const pid_t program = start({"replay", "my script.toml", "--isolate", "--resume"});
+    const std::string id = std::to_string(program), children = "/proc/" + id + "/task/" + id + "/children";
+    pid_t job = 0;
+    for (int i = 0; job == 0 && i < 20'000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+      std::ifstream(children) >> job;
+    ASSERT_NE(job, 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+    kill(job, SIGINT);
+    kill(program, SIGINT);
+    kill(job, SIGINT);
+    const Outcome outcome = wait(program);
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_FALSE(says(outcome.err, {"trying once more"})) << outcome.err;
+    for (const json& frame : results()["frames"]) EXPECT_EQ(frame["status"], "ok");
+  }
+}
+
 }  // namespace
 }  // namespace plume

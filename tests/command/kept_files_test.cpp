@@ -1,5 +1,10 @@
 // What the program keeps in the user's folders, and what it does when something is wrong with it.
+#include <sys/stat.h>
+
+#include <functional>
+
 #include "tests/command/program.h"
+#include "tests/faults/every.h"
 
 namespace plume {
 namespace {
@@ -30,8 +35,11 @@ TEST_F(KeptPipelinesTest, ThatAreDamagedAreToldOfAndMadeAnew) {
   std::string flipped = whole, foreign = whole;
   flipped.back() ^= 1;
   foreign[30] ^= 1;
-  for (const std::string& broken : {std::string("x"), whole.substr(0, whole.size() / 2), whole + "more",
-                                    flipped, foreign, std::string(100'000, '\xff')}) {
+  std::vector<std::string> all{"x",     whole.substr(0, whole.size() / 2), whole + "more", flipped,
+                               foreign, std::string(100'000, '\xff')};
+  for (size_t length = 2; every(2) == 1 && length < whole.size(); length += 1 + length / 4)
+    all.push_back(whole.substr(0, length));
+  for (const std::string& broken : all) {
     write(file(), broken);
     const Outcome outcome = draw();
     EXPECT_EQ(outcome.exit_code, 0);
@@ -39,6 +47,34 @@ TEST_F(KeptPipelinesTest, ThatAreDamagedAreToldOfAndMadeAnew) {
     EXPECT_EQ(read(file()), whole);
     EXPECT_EQ(pictures(), pictures_before);
   }
+}
+
+TEST_F(KeptPipelinesTest, ThatAreNoFileAreMadeAnew) {
+  ASSERT_EQ(draw().exit_code, 0);
+  const fs::path name = file(), kept = at(name);
+  const std::string whole = read(name);
+  const auto put = [&](const std::function<void()>& make) {
+    fs::remove_all(kept);
+    make();
+    const Outcome outcome = draw();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  put([&] { write(name, ""); });
+  EXPECT_EQ(read(name), whole);
+  put([&] { fs::create_symlink("nowhere", kept); });
+  EXPECT_EQ(read(name), whole);
+  put([&] { fs::create_symlink("/dev/zero", kept); });
+  EXPECT_EQ(read(name), whole);
+  put([&] { ASSERT_EQ(mkfifo(kept.c_str(), 0666), 0); });
+  EXPECT_EQ(read(name), whole);
+  put([&] { write(name, whole), fs::permissions(kept, fs::perms::none); });
+  if (geteuid() != 0) {  // who may read everything reads this too
+    EXPECT_EQ(read(name), whole);
+  }
+  const std::string told = put([&] { fs::create_directory(kept); });
+  EXPECT_TRUE(says(told, {"note: pipelines are not kept", kept.filename()}));
+  EXPECT_EQ(files("cache").size(), 1u);
 }
 
 TEST_F(KeptPipelinesTest, ThatCannotBeKeptAreDoneWithout) {

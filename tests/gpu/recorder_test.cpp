@@ -2,11 +2,14 @@
 #include "sandbox/workspace/recorder.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <fstream>
 #include <random>
 
 #include "sandbox/measure/image_io.h"
+#include "sandbox/presets/read_replay.h"
 #include "sandbox/workspace/recording.h"
 #include "sandbox/workspace/settings.h"
 #include "sandbox/workspace/shown_picture.h"
@@ -94,6 +97,39 @@ TEST_F(RecorderTest, ReplayShowsWhatWasSeenToTheBit) {
   draw(workspace);
   EXPECT_EQ(recorder.shots(), seen.size());
   expect_replay_shows_what_was_seen();
+}
+
+TEST_F(RecorderTest, RecordingThatDoesNotFitLeavesNothingAndCanBeSavedLater) {
+  Workspace workspace = open("grenade", 100);
+  choose(workspace, workspace.a, "wboit");
+  recorder.start(workspace);
+  draw(workspace);
+  workspace.change_scene([](Scene& scene) { scene.light.sun_color = {1, 0.1f, 0.2f}; });
+  draw(workspace);
+  fs::create_directories(folder);
+  const fs::path file = folder / "recorded.toml";
+  const auto files = [&] {
+    size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) count += entry.path().filename() != "";
+    return count;
+  };
+  const size_t before = files();
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit unlimited{};
+  getrlimit(RLIMIT_FSIZE, &unlimited);
+  int failures = 0;
+  for (rlim_t bytes = 0; recorder.is_recording(); bytes += 50, ++failures) {
+    EXPECT_EQ(files(), before) << bytes;
+    const rlimit limit{bytes, unlimited.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      recorder.save(file, library);
+    } catch (const FileError&) {
+    }
+    setrlimit(RLIMIT_FSIZE, &unlimited);
+  }
+  EXPECT_GT(failures, 5);
+  EXPECT_EQ(read_replay(file).shots.size(), 2u);
 }
 
 TEST_F(RecorderTest, ReplayShowsScenesAndEffectsAsTheyWereThen) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 #include <thread>
+#include <vector>
 
 namespace plume {
 namespace {
@@ -55,8 +56,10 @@ TEST_F(VideoTest, WithoutFfmpegThereIsNone) {
 }
 
 TEST_F(VideoTest, TellsHowFarItIsAndWhenItIsDone) {
-  ffmpeg("echo frame=2; echo progress=continue; echo frame=5; while [ ! -e " + (folder_ / "go_on").string() +
-         " ]; do sleep 0.01; done; echo frame=9\n");
+  ffmpeg(
+      "for file in \"$@\"; do :; done; echo whole > \"$file\"; echo frame=2; echo progress=continue; echo "
+      "frame=5; while [ ! -e " +
+      (folder_ / "go_on").string() + " ]; do sleep 0.01; done; echo frame=9\n");
   EXPECT_TRUE(Video::is_available());
   Video running(folder_ / "pictures", folder_ / "out.mp4", 9, 30);
   EXPECT_TRUE(wait_until(running, [&] { return running.done() == 5; }));
@@ -67,7 +70,8 @@ TEST_F(VideoTest, TellsHowFarItIsAndWhenItIsDone) {
 }
 
 TEST_F(VideoTest, GivesThePicturesTheRateAndTheFile) {
-  ffmpeg("for word in \"$@\"; do echo \"$word\" >> " + (folder_ / "words").string() + "; done\n");
+  ffmpeg("for word in \"$@\"; do echo \"$word\" >> " + (folder_ / "words").string() +
+         "; done; echo whole > \"$word\"\n");
   Video running(folder_ / "100% pictures", folder_ / "out.mp4", 9, 30);
   ASSERT_TRUE(wait_until(running, [&] { return running.is_done(); }));
   std::ifstream in(folder_ / "words");
@@ -75,7 +79,35 @@ TEST_F(VideoTest, GivesThePicturesTheRateAndTheFile) {
   EXPECT_NE(words.find("-framerate\n30\n-i\n" + (folder_ / "100%% pictures/frame_%06d.png").string() + "\n"),
             std::string::npos)
       << words;
-  EXPECT_TRUE(words.ends_with((folder_ / "out.mp4").string() + "\n")) << words;
+  EXPECT_NE(words.find("-f\nmp4\n" + (folder_ / "out.mp4.tmp-").string()), std::string::npos) << words;
+}
+
+TEST_F(VideoTest, StandsUnderItsNameOnceItIsWhole) {
+  const std::string write = "for file in \"$@\"; do :; done; echo whole > \"$file\"; echo frame=1; ";
+  const auto files = [&] {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().filename() != "ffmpeg") names.push_back(entry.path().filename());
+    return names;
+  };
+  ffmpeg(write + "exec sleep 60\n");
+  {
+    Video stopped(folder_ / "pictures", folder_ / "out.mp4", 9, 30);
+    ASSERT_TRUE(wait_until(stopped, [&] { return stopped.done() == 1; }));
+    EXPECT_EQ(files().size(), 1u);
+    EXPECT_FALSE(fs::exists(folder_ / "out.mp4"));
+  }
+  EXPECT_TRUE(files().empty());
+  ffmpeg(write + "exit 1\n");
+  {
+    Video failed(folder_ / "pictures", folder_ / "out.mp4", 9, 30);
+    EXPECT_THROW(wait_until(failed, [&] { return failed.is_done(); }), std::runtime_error);
+  }
+  EXPECT_TRUE(files().empty());
+  ffmpeg(write);
+  Video good(folder_ / "pictures", folder_ / "out.mp4", 9, 30);
+  ASSERT_TRUE(wait_until(good, [&] { return good.is_done(); }));
+  EXPECT_EQ(files(), std::vector<std::string>{"out.mp4"});
 }
 
 TEST_F(VideoTest, ThatFailsSaysWhatFfmpegSaid) {
