@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 
 #include "renderer/gpu/errors.h"
@@ -57,7 +58,39 @@ constexpr FeatureName<vk::PhysicalDeviceVulkan13Features> kVulkan13Features[] = 
     PLUME_FEATURE(PhysicalDeviceVulkan13Features, maintenance4),
 };
 constexpr const char* kExtensions[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+constexpr const char* kOptionalExtensions[] = {VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME,
+                                               VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME};
+struct LeastLimit {
+  const char* name;
+  uint32_t vk::PhysicalDeviceLimits::*member;
+  uint32_t least;
+};
+#define PLUME_LIMIT(member, least)                    \
+  LeastLimit {                                        \
+#member, &vk::PhysicalDeviceLimits::member, least \
+  }
+constexpr LeastLimit kLimits[] = {
+    PLUME_LIMIT(maxColorAttachments, 8),
+    PLUME_LIMIT(maxPushConstantsSize, 128),
+    PLUME_LIMIT(maxComputeSharedMemorySize, 16384),
+    PLUME_LIMIT(maxComputeWorkGroupInvocations, 256),
+    PLUME_LIMIT(maxStorageBufferRange, 1u << 27),
+    PLUME_LIMIT(maxImageDimension3D, 256),
+};
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+/// N of "KIND@N"; 0 for other faults, and where names are counted.
+uint64_t counted(const std::string& fault, std::string_view kind) {
+  const size_t at = kind.size() + 1;
+  if (fault.size() <= at || !fault.starts_with(kind) || fault[at - 1] != '@') return 0;
+  uint64_t count = 0;
+  const auto [end, error] = std::from_chars(fault.data() + at, fault.data() + fault.size(), count);
+  return error == std::errc() && end == fault.data() + fault.size() ? count : 0;
+}
+
+bool takes_away(const std::string& fault, std::string_view name) {
+  return fault == fmt::format("missing@{}", name);
+}
 
 /// Switches on in `wanted` what `table` lists; names in `missing` what the device does not offer (or a test
 /// takes away).
@@ -65,7 +98,7 @@ template <class Features, size_t N>
 void request(const FeatureName<Features> (&table)[N], const Features& offered, const std::string& fault,
              Features& wanted, std::vector<std::string>& missing) {
   for (const auto& feature : table) {
-    if (!(offered.*feature.member) || fault == fmt::format("missing@{}", feature.name))
+    if (!(offered.*feature.member) || takes_away(fault, feature.name))
       missing.push_back(fmt::format("feature {}", feature.name));
     else
       wanted.*feature.member = VK_TRUE;
@@ -238,8 +271,9 @@ void Device::create_device() {
   extensions.insert(extensions.end(), std::begin(kExtensions), std::end(kExtensions));
   const auto offered_extensions = physical_.enumerateDeviceExtensionProperties();
   const auto is_offered = [&](std::string_view name) {
-    return std::ranges::any_of(offered_extensions,
-                               [&](const auto& e) { return std::string_view(e.extensionName) == name; });
+    return !takes_away(options_.fault, name) && std::ranges::any_of(offered_extensions, [&](const auto& e) {
+      return std::string_view(e.extensionName) == name;
+    });
   };
   for (const char* wanted : extensions)
     if (!is_offered(wanted)) missing.push_back(fmt::format("extension {}", wanted));
@@ -258,20 +292,12 @@ void Device::create_device() {
     wanted.pNext = std::exchange(features13.pNext, &wanted);
     return true;
   };
-  has_float_atomics_ =
-      with_extension(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME, kFloatAtomicFeatures, float_atomics);
-  has_fragment_interlock_ =
-      with_extension(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, kInterlockFeatures, interlock);
+  has_float_atomics_ = with_extension(kOptionalExtensions[0], kFloatAtomicFeatures, float_atomics);
+  has_fragment_interlock_ = with_extension(kOptionalExtensions[1], kInterlockFeatures, interlock);
 
-  const auto at_least = [&](const char* name, uint64_t value, uint64_t needed) {
-    if (value < needed) missing.push_back(fmt::format("limit {} of {} (it has {})", name, needed, value));
-  };
-  at_least("maxColorAttachments", limits_.maxColorAttachments, 8);
-  at_least("maxPushConstantsSize", limits_.maxPushConstantsSize, 128);
-  at_least("maxComputeSharedMemorySize", limits_.maxComputeSharedMemorySize, 16384);
-  at_least("maxComputeWorkGroupInvocations", limits_.maxComputeWorkGroupInvocations, 256);
-  at_least("maxStorageBufferRange", limits_.maxStorageBufferRange, 1u << 27);
-  at_least("maxImageDimension3D", limits_.maxImageDimension3D, 256);
+  for (const auto& [name, member, least] : kLimits)
+    if (const uint32_t has = takes_away(options_.fault, name) ? 0 : limits_.*member; has < least)
+      missing.push_back(fmt::format("limit {} of {} (it has {})", name, least, has));
   const auto family = graphics_family(physical_);
   if (!family) missing.emplace_back("a queue with graphics, compute and timestamps");
   if (!missing.empty())
@@ -291,6 +317,7 @@ void Device::create_device() {
   pool_ = device_.createCommandPool(
       {.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = queue_family_});
   memory_.init(physical_, device_, options_.memory_limit_bytes);
+  memory_.refuse(counted(options_.fault, "no_room"));
 }
 
 vk::raii::CommandBuffer Device::new_commands() {
@@ -303,10 +330,16 @@ void Device::immediate(const std::function<void(const vk::raii::CommandBuffer&)>
   commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
   record(commands);
   commands.end();
-  submit_and_wait(commands);
+  try {
+    submit_and_wait(commands);
+  } catch (const DeviceFailure& failure) {
+    throw DeviceFailure(fmt::format("{}; the last pass was '{}'", failure.what(), last_pass_));
+  }
 }
 
 void Device::submit_and_wait(const vk::raii::CommandBuffer& commands) try {
+  if (++submissions_ == counted(options_.fault, "device_lost"))
+    throw DeviceFailure(fmt::format("the device was lost (injected at submission {})", submissions_));
   const vk::raii::Fence fence = device_.createFence({});
   const vk::CommandBufferSubmitInfo buffer{.commandBuffer = *commands};
   queue_.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer}, *fence);
@@ -328,6 +361,24 @@ void Device::label_object(vk::ObjectType type, uint64_t handle, std::string_view
 std::vector<std::string> Device::validation_messages() const {
   std::lock_guard lock(log_->mutex);
   return log_->messages;
+}
+
+std::vector<DeviceNeed> device_needs() {
+  std::vector<DeviceNeed> needs;
+  const auto add = [&](const auto& table, bool required) {
+    for (const auto& entry : table) needs.push_back({entry.name, required});
+  };
+  add(kCoreFeatures, true);
+  add(kVulkan12Features, true);
+  add(kVulkan13Features, true);
+  add(kLimits, true);
+  for (const char* extension : kExtensions) needs.push_back({extension, true});
+  add(kOptionalCoreFeatures, false);
+  add(kOptionalVulkan12Features, false);
+  add(kFloatAtomicFeatures, false);
+  add(kInterlockFeatures, false);
+  for (const char* extension : kOptionalExtensions) needs.push_back({extension, false});
+  return needs;
 }
 
 std::vector<DeviceInfo> list_devices() {

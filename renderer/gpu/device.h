@@ -20,8 +20,9 @@ struct DeviceOptions {
   std::vector<const char*> instance_extensions;  ///< a window's needs
   std::vector<const char*> device_extensions;
   uint64_t memory_limit_bytes = 0;  ///< refuse to allocate beyond; 0 = the device's own limit
-  std::string
-      fault;  ///< for tests: "device_lost@PASS", "out_of_memory@PASS", "crash@PASS", "missing@FEATURE"
+  /// For tests: "device_lost@PASS", "device_lost@N" (the Nth submission, from 1), "out_of_memory@PASS",
+  /// "no_room@N" (the Nth allocation), "crash@PASS", "missing@NAME" (of device_needs()).
+  std::string fault;
 };
 
 struct DeviceInfo {
@@ -98,10 +99,19 @@ class Device {
   uint32_t queue_family_ = 0;
   DeviceInfo info_;
   std::string last_pass_ = "none";
+  uint64_t submissions_ = 0;
   vk::PhysicalDeviceLimits limits_;
   bool has_debug_utils_ = false;
   bool has_int64_atomics_ = false, has_float_atomics_ = false, has_fragment_interlock_ = false;
 };
+
+/// A feature, an extension or a limit, by its Vulkan name.
+struct DeviceNeed {
+  const char* name;
+  bool required;  ///< or there is no device; the others cost only what is built on them
+};
+/// All that is asked of a device.
+std::vector<DeviceNeed> device_needs();
 
 /// The devices of this machine in the order of their indices; empty when there is no Vulkan driver.
 std::vector<DeviceInfo> list_devices();

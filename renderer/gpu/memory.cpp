@@ -55,6 +55,9 @@ Allocation Memory::allocate(const vk::MemoryRequirements& needs, bool host_visib
     throw DeviceFailure(
         fmt::format("out of device memory: {}.{} needs {} bytes, {} of the limit of {} are in use", owner,
                     label, needs.size, total_, limit_));
+  if (refused_ > 0 && --refused_ == 0)
+    throw DeviceFailure(fmt::format("out of device memory: {}.{} needs {} bytes, {} are in use (injected)",
+                                    owner, label, needs.size, total_));
   const vk::MemoryAllocateFlagsInfo flags{.flags = vk::MemoryAllocateFlagBits::eDeviceAddress};
   Allocation result;
   try {

@@ -42,6 +42,9 @@ class Memory {
   Allocation allocate(const vk::MemoryRequirements& needs, bool host_visible, bool device_address,
                       std::string_view owner, std::string_view label);
 
+  /// For tests: the nth allocation from now on finds no room; 0: none.
+  void refuse(uint64_t nth) { refused_ = nth; }
+
   uint64_t total_bytes() const { return total_; }
   uint64_t owner_bytes(const std::string& owner) const;
   const std::map<std::string, uint64_t>& owners() const { return by_owner_; }
@@ -54,6 +57,7 @@ class Memory {
   vk::PhysicalDeviceMemoryProperties properties_;
   uint64_t limit_ = 0;
   uint64_t total_ = 0;
+  uint64_t refused_ = 0;  // from the next on, counted down
   std::map<std::string, uint64_t> by_owner_;
 };
 

@@ -68,7 +68,7 @@ class Abuffer final : public Method {
 
   std::vector<std::string> missing(const gpu::Device& device) const override {
     if (!nearest() || device.has_int64_atomics()) return {};
-    return {"shaderBufferInt64Atomics, or keep=first"};
+    return {"shaderInt64 and shaderBufferInt64Atomics, or keep=first"};
   }
 
   Needs needs(glm::uvec2 size, const Transparents&) const override {

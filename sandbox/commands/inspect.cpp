@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/gpu/errors.h"
 #include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
 #include "sandbox/measure/image_io.h"
 #include "sandbox/measure/inspector.h"
 #include "sandbox/measure/value_map.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/stage.h"
 
@@ -127,6 +129,7 @@ int run_inspect(const InspectFlags& flags) {
   if (flags.list) return list_views(*method, flags.json);
   check(flags);
   const Inspection view = chosen_view(flags, *method);
+  const SteadyTexts texts;
   const PresetLibrary library(preset_root());
   Scene scene = library.scene(flags.scene);
   if (auto unknown = check_references(scene, library); !unknown.empty()) throw FileErrors(std::move(unknown));
@@ -135,8 +138,8 @@ int run_inspect(const InspectFlags& flags) {
   GpuSession gpu(flags);
   MethodInstance instance{.method = std::move(method), .owner = flags.method, .resources = {}};
   if (const auto missing = instance.method->missing(gpu.device); !missing.empty())
-    throw UsageError(
-        fmt::format("--method {}: unavailable: needs {}", flags.method, fmt::join(missing, ", ")));
+    throw gpu::NoUsableDevice(fmt::format("--method {}: unavailable: needs {}; device '{}' lacks it",
+                                          flags.method, fmt::join(missing, ", "), gpu.device.info().name));
   const uint32_t tick = flags.tick.value_or(scene.default_tick);
   const glm::uvec2 size = flags.size.value_or(Replay{}.size);
   Stage stage(gpu.device, gpu.pipelines, library, std::move(scene));

@@ -1,9 +1,12 @@
 // plume list: what methods, effects, scenes, replays and devices there are.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "renderer/gpu/errors.h"
 #include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
 #include "sandbox/effects/spawn_schedule.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/scene/stage.h"
 
@@ -28,7 +31,17 @@ json memory_of(const Method& method, glm::uvec2 size) {
   return {{"size", {size.x, size.y}}, {"bytes", empty}, {"bytes_a_card", double(full - empty) / 100'000}};
 }
 
-json list_methods(glm::uvec2 size) {
+/// The device that methods are asked about; none where none can be opened, which a list does without.
+std::unique_ptr<gpu::Device> device_to_ask(const ListFlags& flags) try {
+  return std::make_unique<gpu::Device>(device_options(flags));
+} catch (const gpu::NoUsableDevice&) {
+  if (!flags.device.empty()) throw;
+  return nullptr;
+}
+
+json list_methods(const ListFlags& flags) {
+  const glm::uvec2 size = flags.picture();
+  const auto device = device_to_ask(flags);
   json list = json::array();
   for (const std::string& id : method_ids()) {
     const auto method = make_method(id);
@@ -43,6 +56,7 @@ json list_methods(glm::uvec2 size) {
                     {"exact", traits.exact},
                     {"street_rmse", traits.exact ? json(nullptr) : json(traits.street_rmse)},
                     {"memory", memory_of(*method, size)},
+                    {"missing", device ? json(method->missing(*device)) : json(nullptr)},
                     {"parameters", parameter_list(*method)}});
   }
   return list;
@@ -129,6 +143,7 @@ json list_devices() {
 
 /// Which instances of a scene are awake at a tick, and why, when one goes there directly.
 int list_demand(const ListFlags& flags) {
+  const SteadyTexts texts;
   const PresetLibrary library(preset_root());
   Scene scene = library.scene(flags.scene);
   if (auto unknown = check_references(scene, library); !unknown.empty()) throw FileErrors(std::move(unknown));
@@ -175,6 +190,8 @@ void print_for_people(const json& list) {
     fmt::print("{:<16} {}\n", text_of(entry["id"]), text_of(entry["title"]));
     for (const char* key : {"description", "source", "transmission", "emission", "outputs", "limits"})
       if (entry.contains(key)) fmt::print("    {}: {}\n", key, text_of(entry[key]));
+    if (const json missing = entry.value("missing", json()); !missing.empty())
+      fmt::print("    unavailable: needs {}\n", fmt::join(missing.get<std::vector<std::string>>(), ", "));
     if (entry.contains("memory")) {
       const json& memory = entry["memory"];
       fmt::print("    error: {}\n",
@@ -197,7 +214,7 @@ int run_list(const ListFlags& flags) {
   if (flags.scene.empty() && flags.tick) throw UsageError("--at needs a scene: --scene SCENE");
   if (!flags.scene.empty()) return list_demand(flags);
   json list;
-  if (flags.what == "methods") list = list_methods(flags.picture());
+  if (flags.what == "methods") list = list_methods(flags);
   if (flags.what == "devices") list = list_devices();
   if (list.is_null()) {
     const PresetLibrary library(preset_root());
@@ -234,7 +251,9 @@ void add_list(CLI::App& program, Run& run) {
       ->check(CLI::Range(0u, kMaxTick));
   command
       ->add_option("--device", flags->device,
-                   "with --scene: part of a device's name, or its index in `plume list devices`")
+                   "part of a device's name, or its index in `plume list devices`: with --scene, and with "
+                   "methods, which "
+                   "of them it cannot run")
       ->type_name("DEVICE");
   command
       ->add_option_function<std::string>(

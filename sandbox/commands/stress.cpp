@@ -1,6 +1,7 @@
 // plume stress: every method on the hard cases; how far each is off, what it may be, and what is known of
 // why.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@
 #include "sandbox/commands/command.h"
 #include "sandbox/commands/interruption.h"
 #include "sandbox/measure/file_bytes.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/report/page.h"
 #include "sandbox/runs/environment.h"
 #include "sandbox/stress/verdict.h"
@@ -46,6 +48,7 @@ struct Row {
   const std::optional<StressFinding>& finding;
   StressBound bound;
   Verdict verdict;
+  std::vector<std::string> missing;  // of the device
 };
 
 nlohmann::json to_json(const Row& row) {
@@ -55,6 +58,7 @@ nlohmann::json to_json(const Row& row) {
                       {"verdict", kVerdictNames[size_t(row.verdict)]},
                       {"bound", {{"rmse", row.bound.rmse}, {"max", row.bound.max}}},
                       {"why", row.bound.known ? nlohmann::json(row.bound.known->why) : nlohmann::json()}};
+  if (!row.missing.empty()) made["needs"] = row.missing;
   if (row.finding)
     made.update({{"rmse", row.finding->rmse},
                  {"max", row.finding->max},
@@ -65,7 +69,9 @@ nlohmann::json to_json(const Row& row) {
 }
 
 void print(const Row& row) {
-  if (!row.finding) return fmt::print("  {:<11} {}\n", "unavailable", row.method.id);
+  if (!row.finding)
+    return fmt::print("  {:<11} {:<16} needs {}\n", "unavailable", row.method.id,
+                      fmt::join(row.missing, ", "));
   const StressFinding& f = *row.finding;
   fmt::print("  {:<11} {:<16} RMSE {:7.2f} of {:6.2f}   max {:7.2f} of {:6.2f}   {} at {},{}{}{}\n",
              kVerdictNames[size_t(row.verdict)], row.method.id, 255 * f.rmse, 255 * row.bound.rmse,
@@ -83,15 +89,16 @@ nlohmann::json describe(const std::vector<StressCase>& cases) {
 
 /// stress.json and report.html; gives the latter's name.
 std::filesystem::path write_files(const std::filesystem::path& folder, const nlohmann::json& all) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw FileError(folder, failure.message());
-  const auto write = [&](const char* name, const std::string& text) {
-    write_file(folder / name, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
-  };
-  write("stress.json", all.dump(2) + "\n");
-  write("report.html", assemble_page("stress.html", all, ""));
+  write_file(folder / "stress.json", all.dump(2) + "\n");
+  write_file(folder / "report.html", assemble_page("stress.html", all, ""));
   return folder / "report.html";
+}
+
+/// As it is set: what it needs may depend on that.
+std::vector<std::string> missing_of(const gpu::Device& device, const MethodRun& run) {
+  const auto method = make_method(run.id);
+  for (const auto& [name, value] : run.settings) set_parameter(*method, name, value);
+  return method->missing(device);
 }
 
 struct Tally {
@@ -100,14 +107,18 @@ struct Tally {
 };
 
 /// Takes the findings of a case into the tally, and prints those that say more than that a method passed.
-void tell(const StressCase& hard, const std::vector<MethodRun>& methods,
+void tell(const gpu::Device& device, const StressCase& hard, const std::vector<MethodRun>& methods,
           const std::vector<std::optional<StressFinding>>& findings, bool quiet, Tally& tally) {
   std::vector<std::string> passed;
   if (!quiet) fmt::print("{}: {}\n", hard.id, hard.title);
   for (size_t i = 0; i < methods.size(); ++i) {
     const auto method = make_method(methods[i].id);
-    const Row row{hard, methods[i], findings[i], bound_of(hard, *method),
-                  verdict_of(hard, *method, findings[i])};
+    const Row row{hard,
+                  methods[i],
+                  findings[i],
+                  bound_of(hard, *method),
+                  verdict_of(hard, *method, findings[i]),
+                  missing_of(device, methods[i])};
     ++tally.counts[size_t(row.verdict)];
     tally.rows.push_back(to_json(row));
     if (row.verdict == Verdict::kPassed)
@@ -131,13 +142,15 @@ int run_stress(const StressFlags& flags) {
   const std::vector<MethodRun>& methods = set[0].methods;
 
   heed_interruptions();
+  make_folder(flags.out);  // a place where nothing can be written is told of before minutes of drawing
+  const SteadyTexts texts;
   const PresetLibrary library(preset_root());
   GpuSession session(flags);
   StressRun stress(session.device, session.pipelines, library);
   Tally tally;
   for (const StressCase& hard : cases) {
-    if (is_interrupted()) throw Interrupted();
-    tell(hard, methods, stress.run(hard, methods), flags.json, tally);
+    if (is_interrupted()) throw Interrupted("interrupted; nothing is written");
+    tell(session.device, hard, methods, stress.run(hard, methods), flags.json, tally);
   }
   const nlohmann::json all{{"environment", environment_of(session.device)},
                            {"command", shell_text(asked_arguments(*flags.command))},

@@ -31,7 +31,8 @@ struct MeasurementOptions {
 
 /// The user asked to stop; everything finished so far is on disk. Exit code 130.
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted; --resume goes on from here") {}
+  explicit Interrupted(const char* what = "interrupted; --resume goes on from here")
+      : std::runtime_error(what) {}
 };
 
 /// Draws what is selected of a plan and not done yet, writes images and error maps beside the manifest, and

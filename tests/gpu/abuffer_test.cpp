@@ -177,7 +177,7 @@ TEST_F(AbufferTest, WithoutAtomicsOf64BitsTheFirstCanBeKept) {
   const auto method = make_method("abuffer");
   EXPECT_TRUE(method->missing(device).empty());
   ASSERT_EQ(1u, method->missing(lacking).size());
-  EXPECT_EQ("shaderBufferInt64Atomics, or keep=first", method->missing(lacking)[0]);
+  EXPECT_EQ("shaderInt64 and shaderBufferInt64Atomics, or keep=first", method->missing(lacking)[0]);
   set_parameter(*method, "keep", "first");
   EXPECT_TRUE(method->missing(lacking).empty());
 }
