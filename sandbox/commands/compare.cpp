@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "sandbox/commands/command.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 namespace {
@@ -14,6 +15,7 @@ struct CompareFlags : DrawFlags {
 };
 
 int run_compare(const CompareFlags& flags) {
+  const SteadyTexts texts;
   const PresetLibrary library(preset_root());
   std::vector<Replay> replays;
   for (const std::string& name : flags.scenes) {

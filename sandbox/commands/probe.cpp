@@ -5,6 +5,7 @@
 #include "renderer/methods/methods.h"
 #include "sandbox/commands/command.h"
 #include "sandbox/measure/pixel_probe_text.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_scene.h"
 
 namespace plume {
@@ -27,6 +28,7 @@ struct ProbeFlags : DrawFlags {
 };
 
 int run_probe(const ProbeFlags& flags) {
+  const SteadyTexts texts;
   const PresetLibrary library(preset_root());
   Scene scene = library.scene(flags.scene);
   if (auto unknown = check_references(scene, library); !unknown.empty()) throw FileErrors(std::move(unknown));

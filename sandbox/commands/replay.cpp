@@ -1,5 +1,6 @@
 // plume replay SCRIPT...: plays scripts without a display; images, error maps and results on disk.
 #include "sandbox/commands/command.h"
+#include "sandbox/presets/preset_file.h"
 
 namespace plume {
 namespace {
@@ -9,6 +10,7 @@ struct ReplayFlags : DrawFlags {
 };
 
 int run_replay(const ReplayFlags& flags) {
+  const SteadyTexts texts;
   const PresetLibrary library(preset_root());
   std::vector<Replay> replays;
   for (const std::string& script : flags.scripts)

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/preset_file.h"
 #include "sandbox/presets/read_effect.h"
 #include "sandbox/presets/read_mesh.h"
 #include "sandbox/presets/read_replay.h"
@@ -35,6 +36,7 @@ std::vector<Diagnostic> check_file(const std::filesystem::path& path, const Pres
   const bool in_tree = name == "effects" || name == "scenes" || name == "replays" || name == "meshes";
   std::optional<PresetLibrary> own_tree;
   if (in_tree) library = &own_tree.emplace(folder.parent_path());
+  const SteadyTexts texts;
   try {
     const std::string text = load_text(path);
     if (path.extension() == ".obj") return read_mesh_text(text, file), std::vector<Diagnostic>{};

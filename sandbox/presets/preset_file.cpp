@@ -1,9 +1,14 @@
 #include "sandbox/presets/preset_file.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
-#include <fstream>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <thread>
 #include <utility>
 
 #include "sandbox/presets/diagnostics.h"
@@ -14,24 +19,78 @@ namespace plume {
 namespace {
 
 constexpr size_t kMaxFileBytes = size_t{4} << 20;
+constexpr std::chrono::milliseconds kSettled{50};  // nobody pauses for so long between two parts of a file
+constexpr std::chrono::seconds kPatience{2};       // with a file that never settles
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string message) {
+  throw FileErrors({{path.string(), 1, 1, std::move(message)}});
+}
+
+/// What a file held at one time, and what tells that it was changed.
+struct Reading {
+  struct stat at {};
+  bool is_steady = false;  // nobody was writing
+  std::string text;
+
+  bool is_of_the_same(const Reading& other) const {
+    return at.st_dev == other.at.st_dev && at.st_ino == other.at.st_ino && at.st_size == other.at.st_size &&
+           at.st_mtim.tv_sec == other.at.st_mtim.tv_sec && at.st_mtim.tv_nsec == other.at.st_mtim.tv_nsec;
+  }
+};
+
+std::chrono::nanoseconds age(const struct stat& file) {
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  return std::chrono::seconds(now.tv_sec - file.st_mtim.tv_sec) +
+         std::chrono::nanoseconds(now.tv_nsec - file.st_mtim.tv_nsec);
+}
+
+Reading read_once(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail(path, "there is no such file, expected a TOML file");
+  if (std::filesystem::is_directory(status)) fail(path, "this is a folder, expected a TOML file");
+  const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  Reading before, now;
+  if (!file || ::fstat(::fileno(file.get()), &before.at) != 0)
+    fail(path, "cannot be opened, expected a TOML file you may read");
+  now.text.resize(kMaxFileBytes + 1);  // one byte more than allowed tells a file that is too long
+  now.text.resize(std::fread(now.text.data(), 1, now.text.size(), file.get()));
+  if (std::ferror(file.get()) || ::fstat(::fileno(file.get()), &now.at) != 0)
+    fail(path, "cannot be read, expected a TOML file you may read");
+  // A pipe is read but once.
+  now.is_steady = !S_ISREG(now.at.st_mode) || (now.is_of_the_same(before) && age(now.at) > kSettled);
+  return now;
+}
+
+std::string load_steady(const std::filesystem::path& path) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  Reading now = read_once(path);
+  while (!now.is_steady) {
+    std::this_thread::sleep_for(kSettled);
+    Reading next = read_once(path);
+    next.is_steady |= next.is_of_the_same(now) && next.text == now.text;  // where clocks do not agree
+    if (!next.is_steady && std::chrono::steady_clock::now() > deadline)
+      fail(path, "is being written all the time, expected a file that somebody is done with");
+    now = std::move(next);
+  }
+  return std::move(now.text);
+}
+
+std::map<std::filesystem::path, std::string>* g_kept = nullptr;  // of the SteadyTexts there is
 
 }  // namespace
 
+SteadyTexts::SteadyTexts() : before_(std::exchange(g_kept, &kept_)) {}
+SteadyTexts::~SteadyTexts() {
+  g_kept = before_;
+}
+
 std::string load_text(const std::filesystem::path& path) {
-  const auto fail = [&](std::string message) {
-    throw FileErrors({{path.string(), 1, 1, std::move(message)}});
-  };
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) fail("there is no such file, expected a TOML file");
-  if (std::filesystem::is_directory(status)) fail("this is a folder, expected a TOML file");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail("cannot be opened, expected a TOML file you may read");
-  std::string text(kMaxFileBytes + 1, '\0');  // one byte more than allowed tells a file that is too long
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) fail("cannot be read, expected a TOML file you may read");
-  text.resize(static_cast<size_t>(in.gcount()));
-  return text;
+  if (!g_kept) return load_steady(path);
+  const std::filesystem::path key = std::filesystem::absolute(path).lexically_normal();
+  if (const auto known = g_kept->find(key); known != g_kept->end()) return known->second;
+  return g_kept->emplace(key, load_steady(path)).first->second;
 }
 
 void read_noting(std::string_view text, const std::string& file, const ReadTable& read,

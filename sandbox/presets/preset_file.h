@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,22 @@ class TableReader;
 /// What reads a table (table_reader.h).
 using ReadTable = std::function<void(TableReader&)>;
 
-/// The text of a file of at most 4 MiB; throws FileErrors when it cannot be read.
+/// The text of a file of at most 4 MiB; throws FileErrors when it cannot be read. Somebody who writes the
+/// file meanwhile is waited for: it is what they were done with, before or after.
 std::string load_text(const std::filesystem::path& path);
+
+/// While one lives, load_text() gives of each file what it gave first: a run that reads a preset more than
+/// once sees one of it, whoever edits it. Of one thread.
+class SteadyTexts {
+ public:
+  SteadyTexts();
+  ~SteadyTexts();
+  SteadyTexts(const SteadyTexts&) = delete;
+
+ private:
+  std::map<std::filesystem::path, std::string> kept_;
+  std::map<std::filesystem::path, std::string>* before_;
+};
 
 /// Parses `text` and hands its top table to `read`; throws FileErrors with everything wrong, in the order of
 /// the file. A syntax error ends reading at once, because toml++ cannot go on after one.
