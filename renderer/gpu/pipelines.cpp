@@ -98,13 +98,11 @@ vk::Sampler Pipelines::sampler_for(vk::Format format) const {
 
 const Pipeline& Pipelines::find_or_make(std::string key, const std::string& shader,
                                         std::function<Pipeline()> make) {
-  Entry& entry = pipelines_[std::move(key)];
-  if (!entry.pipeline) {
-    if (listener_) listener_({.what = shader, .done = 0, .total = 0});
-    entry.pipeline = std::make_unique<Pipeline>(make());
-    entry.make = std::move(make);
-  }
-  return *entry.pipeline;
+  if (const auto known = pipelines_.find(key); known != pipelines_.end()) return *known->second.pipeline;
+  if (listener_) listener_({.what = shader, .done = 0, .total = 0});
+  auto pipeline = std::make_unique<Pipeline>(make());
+  return *pipelines_.emplace(std::move(key), Entry{std::move(make), std::move(pipeline)})
+              .first->second.pipeline;
 }
 
 const Pipeline& Pipelines::compute(const std::string& shader, const Constants& constants) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "sandbox/commands/command.h"
+#include "sandbox/commands/interruption.h"
 #include "sandbox/measure/file_bytes.h"
 #ifdef PLUME_WINDOW
 #include "sandbox/presets/read_scene.h"
@@ -125,16 +126,23 @@ int run_open(const OpenFlags& flags) {
     if (session.device.info().is_cpu) workspace.resolution.set_step(2);  // half, which a CPU can draw
     if (const auto view = Inspector::find(*workspace.a.method().method, flags.view))
       workspace.a.view.choose(*view);
-    Viewer viewer(window, workspace);
+    Viewer viewer(window, workspace, flags.shaders);
     kept.begin(viewer, workspace);
     if (!flags.crosshair.empty())
       viewer.place_crosshair({flags.crosshair[0], flags.crosshair[1]}, flags.crosshair_methods);
-    viewer.run(flags.frames);
+    heed_interruptions();
+    try {
+      viewer.run(flags.frames, is_interrupted);
+    } catch (...) {  // of a lost device too: what was recorded needs none
+      save_what_is_recorded(viewer.interface().recording, workspace);
+      throw;
+    }
     if (!flags.dump.empty()) viewer.save_crosshair(flags.dump);
     if (!flags.screenshot.empty()) viewer.save_picture(flags.screenshot);
     save_what_is_recorded(viewer.interface().recording, workspace);
     kept.keep(viewer, workspace, window);
   }
+  if (is_interrupted()) throw Interrupted("interrupted; settings and what was recorded are kept");
   return report_validation(session.device);
 }
 #else
@@ -175,8 +183,9 @@ void add_open(CLI::App& program, Run& run) {
   command->add_flag("--validate", flags->validate,
                     "run with the Vulkan validation layer; any message makes the exit code 1");
   command
-      ->add_option("--shaders", flags->shaders,
-                   "compile shaders from this folder instead of the embedded ones")
+      ->add_option(
+          "--shaders", flags->shaders,
+          "compile shaders from this folder instead of the embedded ones, and again when they change")
       ->type_name("DIR");
   const std::string hidden;  // for tests
   command->add_option("--frames", flags->frames, "close after so many")

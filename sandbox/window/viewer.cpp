@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/gpu/errors.h"
 #include "sandbox/debugger/file_questions.h"
 #include "sandbox/debugger/instance_marks.h"
 #include "sandbox/debugger/keys.h"
@@ -45,12 +46,13 @@ std::string name_of(const Scene& scene, const PresetLibrary& library) try {
 
 }  // namespace
 
-Viewer::Viewer(GlfwWindow& window, Workspace& workspace)
+Viewer::Viewer(GlfwWindow& window, Workspace& workspace, std::filesystem::path shaders)
     : window_(window),
       workspace_(workspace),
       interface_{workspace},
       swapchain_(workspace.device(), window.make_surface(workspace.device().instance())),
-      overlay_(workspace.device(), &window, swapchain_.format()) {
+      overlay_(workspace.device(), &window, swapchain_.format()),
+      shaders_(std::move(shaders)) {
   workspace_.pipelines().listen([this](const gpu::Preparing& preparing) { tell(preparing); });
 }
 
@@ -58,11 +60,13 @@ Viewer::~Viewer() {
   workspace_.pipelines().listen({});
 }
 
-void Viewer::run(uint32_t frames) {
+void Viewer::run(uint32_t frames, const std::function<bool()>& interrupted) {
+  bool heard = false;
   std::string scene = workspace_.scene().file;
   int settling = 2;  // ImGui lays out what it has seen: what is shown first should stay where it is
   for (uint32_t shown = 0; !interface_.closing && (frames == 0 || shown < frames);) {
     window_.wait(idle_s());
+    if (!heard && interrupted && interrupted()) heard = true, close_window(interface_);
     do {
       const WindowInput input = window_.next_input();
       const double before_ms = thread_cpu_ms();
@@ -82,23 +86,40 @@ void Viewer::run(uint32_t frames) {
     window_.set_full_screen(interface_.full_screen);
     if (interface_.closing || window_.size() == glm::uvec2(0)) continue;  // size 0: minimised
 
-    if (interface_.recording.advance(workspace_)) {
-      // it draws for itself
-    } else if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) {
-      if (drawn_for_ == glm::uvec2(0)) show();  // the panels, before the first picture is there
-      draw();
-    } else if (now_s() - moved_s_ > kRestSeconds && !moves() && workspace_.resolution.rest()) {
-      workspace_.change();
-    } else if (workspace_.compares && !workspace_.playback.playing() && !dragging_) {
-      workspace_.measure_accuracy();
+    try {
+      follow_shaders();
+      draw_what_is_due();
+    } catch (const gpu::ShaderError& broken) {  // on disk: what was shown stays
+      workspace_.problem = shader_problem_ = broken.what();
     }
-    interface_.crosshair.update(workspace_, now_s());
-    interface_.account_a.update(workspace_, workspace_.a, now_s());
-    interface_.account_b.update(workspace_, workspace_.b, now_s());
     if (!show()) continue;
     ++shown;
     note_overlay();
   }
+}
+
+/// Where they break, the last good ones go on.
+void Viewer::follow_shaders() {
+  if (!shaders_.poll(now_s())) return;
+  workspace_.reload_shaders();
+  if (workspace_.problem == shader_problem_) workspace_.problem.clear();
+  shader_problem_.clear();
+}
+
+void Viewer::draw_what_is_due() {
+  if (interface_.recording.advance(workspace_)) {
+    // it draws for itself
+  } else if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) {
+    if (drawn_for_ == glm::uvec2(0)) show();  // the panels, before the first picture is there
+    draw();
+  } else if (now_s() - moved_s_ > kRestSeconds && !moves() && workspace_.resolution.rest()) {
+    workspace_.change();
+  } else if (workspace_.compares && !workspace_.playback.playing() && !dragging_) {
+    workspace_.measure_accuracy();
+  }
+  interface_.crosshair.update(workspace_, now_s());
+  interface_.account_a.update(workspace_, workspace_.a, now_s());
+  interface_.account_b.update(workspace_, workspace_.b, now_s());
 }
 
 void Viewer::draw() {
@@ -281,7 +302,7 @@ void Viewer::save_crosshair(const std::filesystem::path& path) const {
   if (!crosshair.told() || !crosshair.stale_because(workspace_).empty())
     throw std::runtime_error("--dump: the window was closed before the crosshair was answered");
   const std::string text = to_json(*crosshair.told()).dump(2) + "\n";
-  write_file(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+  write_file(path, text);
 }
 
 double Viewer::now_s() const {

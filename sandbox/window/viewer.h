@@ -5,21 +5,25 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 
 #include "sandbox/debugger/panels.h"
 #include "sandbox/window/overlay.h"
+#include "sandbox/workspace/shader_watch.h"
 
 namespace plume {
 
 class Viewer {
  public:
-  Viewer(GlfwWindow& window, Workspace& workspace);
+  /// `shaders`: the folder that they are compiled from, which is watched; "": the embedded ones.
+  Viewer(GlfwWindow& window, Workspace& workspace, std::filesystem::path shaders);
   ~Viewer();
   Viewer(const Viewer&) = delete;
 
   Interface& interface() { return interface_; }
-  /// Until the user closes the window, or so many frames were shown (0: no such end).
-  void run(uint32_t frames);
+  /// Until the user closes the window, or so many frames were shown (0: no such end). Once `interrupted` says
+  /// so, it is as if the user had asked to close.
+  void run(uint32_t frames, const std::function<bool()>& interrupted = {});
   /// Side A as it was last drawn, without the panels, as PNG. Throws when nothing was drawn, and FileError.
   void save_picture(const std::filesystem::path& path) const;
   /// See Crosshair: as if it had been placed by hand, and other methods been chosen.
@@ -36,6 +40,8 @@ class Viewer {
   void place_crosshair(glm::vec2 pointer);
   void react_to(const WindowInput::Click& click);
   void drag_effect(const WindowInput& input);
+  void follow_shaders();
+  void draw_what_is_due();
   void draw();
   bool moves() const;
   void note_whole();
@@ -51,7 +57,9 @@ class Viewer {
   Interface interface_;
   Swapchain swapchain_;
   Overlay overlay_;
-  Area area_{};  // of the picture
+  ShaderWatch shaders_;
+  std::string shader_problem_;  // that is shown, or was
+  Area area_{};                 // of the picture
   glm::uvec2 drawn_for_{0};
   bool drags_divider_ = false, dragging_ = false;
   bool held_ = false;                 // a button, over the picture or over a panel

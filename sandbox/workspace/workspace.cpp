@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "renderer/gpu/errors.h"
 #include "renderer/methods/methods.h"
 #include "sandbox/measure/picture.h"
 #include "sandbox/presets/add_instance.h"
@@ -301,7 +302,7 @@ bool Workspace::advance(double now_s) {
   return outdated_ || always_draw;
 }
 
-void Workspace::draw(glm::uvec2 area) {
+void Workspace::draw(glm::uvec2 area) try {
   const auto start = std::chrono::steady_clock::now();
   take_edits();
   const CameraKey eye = camera();
@@ -331,6 +332,17 @@ void Workspace::draw(glm::uvec2 area) {
   bad_particles_ = plume::bad_particles(*stage_);
   outdated_ = false;
   frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+} catch (const gpu::ShaderError&) {
+  stage_->start_over();  // it may have gone half of the way to the tick
+  outdated_ = false;     // it is no use to try again before something changes
+  throw;
+}
+
+void Workspace::reload_shaders() {
+  pipelines_.reload();
+  ++scene_version_;
+  stage_->start_over();
+  change();
 }
 
 bool Workspace::needs_truth() const {

@@ -97,8 +97,12 @@ class Workspace {
 
   /// The picture no longer shows what is set.
   void change() { outdated_ = true; }
+  /// Makes all pipelines anew, and draws with them what was drawn with the old ones. A failure throws
+  /// ShaderError and keeps the old ones.
+  void reload_shaders();
   bool is_outdated() const { return outdated_; }
-  /// Draws what is shown in an area of so many pixels.
+  /// Draws what is shown in an area of so many pixels. Throws what Stage throws; a ShaderError leaves what
+  /// was shown, and no change that would be drawn again.
   void draw(glm::uvec2 area);
   /// Draws the reference of the picture that is shown, unless that was done, and measures the methods that
   /// are shown against it, unless they were. Returns whether there was anything to do.

@@ -219,6 +219,44 @@ TEST_F(OpenTest, FailedStartWritesNothing) {
   EXPECT_FALSE(fs::exists(at("cache")));
 }
 
+// The last good shaders go on where somebody breaks them, and mended ones take their place.
+TEST_F(WindowTest, ShadersThatAreBrokenOnDiskAreNamedAndTheOldOnesGoOn) {
+  fs::copy(PLUME_SOURCE_SHADERS, at("shaders"), fs::copy_options::recursive);
+  const std::string shader = "shaders/post/display.comp", good = read(shader);
+  const size_t broken_at = good.find("imageStore(");
+  ASSERT_NE(broken_at, good.npos);
+  const auto line = 1 + std::count(good.begin(), good.begin() + std::ptrdiff_t(broken_at), '\n');
+  const std::string place = "post/display.comp:" + std::to_string(line) + ":";
+  Environment environment = display_->environment();
+  environment["PLUME_WIDGET_PLACES"] = at("places").string();
+  const auto until = [&](const auto& holds) {
+    for (int i = 0; i < 1500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+      if (holds()) return true;
+    return false;
+  };
+  const auto tells = [&] { return read("places").find("problem = ") != std::string::npos; };
+  const pid_t window = start({"open", "quads_mcguire", "--at", "0", "--validate", "--shaders", "shaders",
+                              "--frames", "100000", "--screenshot", "window.png"},
+                             environment);
+  EXPECT_TRUE(until([&] { return fs::exists(at("places")); }));
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  std::string broken = good;
+  write(shader, broken.insert(broken_at + 7, "r"));
+  EXPECT_TRUE(until(tells));
+  EXPECT_TRUE(says(read("places"), {place, "imageStrore"}));
+  // Red, so that a picture tells which shaders drew it.
+  std::string red = good;
+  const std::string_view result = "vec4(srgb(clamp(color, 0.0, 1.0)), 1.0)";
+  ASSERT_NE(red.find(result), red.npos);
+  write(shader, red.replace(red.find(result), result.size(), "vec4(1.0, 0.0, 0.0, 1.0)"));
+  EXPECT_TRUE(until([&] { return !tells(); }));
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  kill(window, SIGINT);
+  const Outcome outcome = wait(window);
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(read_png(at("window.png")).pixels.front(), (std::array<uint8_t, 3>{255, 0, 0}));
+}
+
 TEST_F(WindowTest, LostDeviceNamesThePass) {
   const Outcome outcome = open({"open", "street"}, {{"PLUME_FAULT", "device_lost@draw"}});
   EXPECT_EQ(outcome.exit_code, 4);
