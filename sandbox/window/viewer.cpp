@@ -107,16 +107,17 @@ void Viewer::follow_shaders() {
 }
 
 void Viewer::draw_what_is_due() {
-  if (interface_.recording.advance(workspace_)) {
-    // it draws for itself
+  if (interface_.recording.advance(workspace_)) {  // it draws for itself
+    is_drawn_ = true;
   } else if (workspace_.advance(now_s()) || drawn_for_ != picture_area()) {
     if (drawn_for_ == glm::uvec2(0)) show();  // the panels, before the first picture is there
     draw();
   } else if (now_s() - moved_s_ > kRestSeconds && !moves() && workspace_.resolution.rest()) {
     workspace_.change();
-  } else if (workspace_.compares && !workspace_.playback.playing() && !dragging_) {
+  } else if (workspace_.compares && is_drawn_ && !workspace_.playback.playing() && !dragging_) {
     workspace_.measure_accuracy();
   }
+  if (!is_drawn_) return;  // there is nothing to ask about
   interface_.crosshair.update(workspace_, now_s());
   interface_.account_a.update(workspace_, workspace_.a, now_s());
   interface_.account_b.update(workspace_, workspace_.b, now_s());
@@ -125,7 +126,9 @@ void Viewer::draw_what_is_due() {
 void Viewer::draw() {
   if (moves()) workspace_.resolution.move();
   drawn_for_ = picture_area();
+  is_drawn_ = false;  // unless that ends well
   workspace_.draw(drawn_for_);
+  is_drawn_ = true;
   moved_s_ = now_s();
   note_whole();
   interface_.recording.note(workspace_);

@@ -61,6 +61,7 @@ class Viewer {
   std::string shader_problem_;  // that is shown, or was
   Area area_{};                 // of the picture
   glm::uvec2 drawn_for_{0};
+  bool is_drawn_ = false;  // what is set, to the end
   bool drags_divider_ = false, dragging_ = false;
   bool held_ = false;                 // a button, over the picture or over a panel
   bool starts_drag_ = true;           // nothing was dragged since the left button went down

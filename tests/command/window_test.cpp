@@ -219,42 +219,82 @@ TEST_F(OpenTest, FailedStartWritesNothing) {
   EXPECT_FALSE(fs::exists(at("cache")));
 }
 
-// The last good shaders go on where somebody breaks them, and mended ones take their place.
-TEST_F(WindowTest, ShadersThatAreBrokenOnDiskAreNamedAndTheOldOnesGoOn) {
-  fs::copy(PLUME_SOURCE_SHADERS, at("shaders"), fs::copy_options::recursive);
-  const std::string shader = "shaders/post/display.comp", good = read(shader);
-  const size_t broken_at = good.find("imageStore(");
-  ASSERT_NE(broken_at, good.npos);
-  const auto line = 1 + std::count(good.begin(), good.begin() + std::ptrdiff_t(broken_at), '\n');
-  const std::string place = "post/display.comp:" + std::to_string(line) + ":";
-  Environment environment = display_->environment();
-  environment["PLUME_WIDGET_PLACES"] = at("places").string();
-  const auto until = [&](const auto& holds) {
+/// Shaders in a folder, which somebody edits while a window shows what they draw.
+class ShaderEditTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (IsSkipped()) return;
+    fs::copy(PLUME_SOURCE_SHADERS, at("shaders"), fs::copy_options::recursive);
+    good_ = read(kShader);
+    const size_t at = good_.find("imageStore(");
+    ASSERT_NE(at, good_.npos);
+    const auto line = 1 + std::count(good_.begin(), good_.begin() + std::ptrdiff_t(at), '\n');
+    place_ = "post/display.comp:" + std::to_string(line) + ":";
+    broken_ = good_;
+    broken_.insert(at + 7, "r");
+    red_ = good_;  // so that a picture tells which shaders drew it
+    const std::string_view result = "vec4(srgb(clamp(color, 0.0, 1.0)), 1.0)";
+    ASSERT_NE(red_.find(result), red_.npos);
+    red_.replace(red_.find(result), result.size(), "vec4(1.0, 0.0, 0.0, 1.0)");
+  }
+  void open_window() {
+    Environment environment = display_->environment();
+    environment["PLUME_WIDGET_PLACES"] = at("places").string();
+    window_ = start({"open", "quads_mcguire", "--at", "0", "--validate", "--shaders", "shaders",
+                     "--crosshair", "0,0", "--frames", "100000", "--screenshot", "window.png"},
+                    environment);
+  }
+  bool comes_to_show(const std::string& words, bool shown = true) const {
     for (int i = 0; i < 1500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
-      if (holds()) return true;
+      if (fs::exists(at("places")) && (read("places").find(words) != std::string::npos) == shown) return true;
     return false;
-  };
-  const auto tells = [&] { return read("places").find("problem = ") != std::string::npos; };
-  const pid_t window = start({"open", "quads_mcguire", "--at", "0", "--validate", "--shaders", "shaders",
-                              "--frames", "100000", "--screenshot", "window.png"},
-                             environment);
-  EXPECT_TRUE(until([&] { return fs::exists(at("places")); }));
-  std::this_thread::sleep_for(std::chrono::seconds(2));
-  std::string broken = good;
-  write(shader, broken.insert(broken_at + 7, "r"));
-  EXPECT_TRUE(until(tells));
-  EXPECT_TRUE(says(read("places"), {place, "imageStrore"}));
-  // Red, so that a picture tells which shaders drew it.
-  std::string red = good;
-  const std::string_view result = "vec4(srgb(clamp(color, 0.0, 1.0)), 1.0)";
-  ASSERT_NE(red.find(result), red.npos);
-  write(shader, red.replace(red.find(result), result.size(), "vec4(1.0, 0.0, 0.0, 1.0)"));
-  EXPECT_TRUE(until([&] { return !tells(); }));
+  }
+  /// By Ctrl+C, with time for a picture before that.
+  void expect_red_once_it_is_closed() {
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    kill(window_, SIGINT);
+    const Outcome outcome = wait(window_);
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(outcome.err, "plume: interrupted; settings and what was recorded are kept\n");
+    EXPECT_EQ(read_png(at("window.png")).pixels.front(), (std::array<uint8_t, 3>{255, 0, 0}));
+  }
+
+  const fs::path kShader = "shaders/post/display.comp";
+  std::string good_, broken_, red_, place_;
+  pid_t window_ = -1;
+};
+
+TEST_F(ShaderEditTest, BrokenOnesAreNamedAndTheOldOnesGoOn) {
+  open_window();
+  EXPECT_TRUE(comes_to_show("picture = 1"));
+  write(kShader, broken_);
+  EXPECT_TRUE(comes_to_show("problem = "));
+  EXPECT_TRUE(says(read("places"), {place_, "imageStrore"}));
+  write(kShader, red_);
+  EXPECT_TRUE(comes_to_show("problem = ", false));
+  expect_red_once_it_is_closed();
+}
+
+TEST_F(ShaderEditTest, BrokenFromTheBeginningTheyAreNamedUntilTheyAreMended) {
+  write(kShader, broken_);
+  open_window();
+  EXPECT_TRUE(comes_to_show("problem = "));
+  EXPECT_TRUE(says(read("places"), {place_, "imageStrore"}));
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  kill(window, SIGINT);
-  const Outcome outcome = wait(window);
-  EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_EQ(read_png(at("window.png")).pixels.front(), (std::array<uint8_t, 3>{255, 0, 0}));
+  write(kShader, red_);
+  EXPECT_TRUE(comes_to_show("problem = ", false));
+  expect_red_once_it_is_closed();
+}
+
+TEST_F(ShaderEditTest, WithoutAWindowBrokenOnesAreBadInput) {
+  write(kShader, broken_);
+  const Outcome outcome = run({"compare", "quads_mcguire", "--methods", "wboit", "--size", "48x27",
+                               "--frames", "1", "--shaders", "shaders"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(says(outcome.err, {place_, "imageStrore"}));
+  EXPECT_EQ(files(), (std::vector<std::string>{"results.csv", "results.json"}));
 }
 
 TEST_F(WindowTest, LostDeviceNamesThePass) {

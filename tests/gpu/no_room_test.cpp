@@ -19,7 +19,7 @@ TEST_P(NoRoomTest, CostsThePictureAndNothingElse) {
   if (!instance(GetParam()).method->missing(device).empty()) GTEST_SKIP() << "the device lacks what it needs";
   const DrawnPicture right = picture();
   const uint64_t taken = device.memory().total_bytes();
-  for (uint64_t at = 1;; at += every(GetParam() == "avboit" ? 4 : 61)) {
+  for (uint64_t at = 1;; at += every(GetParam() == "avboit" ? 4 : 17)) {
     device.memory().refuse(at);
     try {
       const DrawnPicture drawn = picture();
