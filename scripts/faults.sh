@@ -8,4 +8,4 @@ scripts/build.sh
 export PLUME_EVERY_FAULT=1
 build/plume_unit_tests --gtest_filter='FilesThatDoNotFit.*:ReplacedPreset.*'
 build/plume_gpu_tests --gtest_filter='*NoRoomTest.*:DeviceNeedsTest.*'
-exec build/plume_command_tests --gtest_filter='FullDiskTest.*:FailureTest.*:KillTest.*:KeptPipelinesTest.*:ReplacedPresetTest.*'
+exec build/plume_command_tests --gtest_filter='FullDiskTest.*:FailureTest.*:KillTest.*:KeptPipelinesTest.*:ReplacedPresetTest.*:ShaderEditTest.*'

@@ -176,18 +176,20 @@ class Measurement {
                                      is_captured(replay.capture, moment.tick) ? pixels : pixels.first(0));
     draw_contenders(replay, stage, targets, contenders, marked);
     if (!moment.view.id.empty()) look_at(moment.view, stage, targets, contenders.front());
+    // Before any frame counts as done: the last thing asked of the device, which may fail too.
+    MomentResult result{.job = moment.jobs.front().id,
+                        .scene = moment.scene,
+                        .tick = moment.tick,
+                        .shot = moment.shot,
+                        .seed = moment.seed,
+                        .width = moment.size.x,
+                        .height = moment.size.y,
+                        .demand = demand_json(stage)};
     for (size_t i = 0; i < jobs.size(); ++i) {
       record(contenders[i], reference);
       manifest_.record(moment, jobs[i], std::move(contenders[i].frame));
     }
-    manifest_.record(moment, {.job = moment.jobs.front().id,
-                              .scene = moment.scene,
-                              .tick = moment.tick,
-                              .shot = moment.shot,
-                              .seed = moment.seed,
-                              .width = moment.size.x,
-                              .height = moment.size.y,
-                              .demand = demand_json(stage)});
+    manifest_.record(moment, std::move(result));
     take_notes();
     manifest_.write(Manifest::When::kSparingly);
     ++headway_.done, ++headway_.drawn;

@@ -131,7 +131,8 @@ TEST_F(FailureTest, WithoutAnOptionalFeatureMethodsThatNeedItAreNamedAndAllOther
 }
 
 TEST_F(FailureTest, ADeviceLostAtAnySubmissionIsGoneOnFrom) {
-  EXPECT_GT(fail_at_each("device_lost", {"the device was lost", "the last pass was '"}, every(31)), 30u);
+  // 49 is the last of the first tick on lavapipe: its frame is drawn, its moment not yet known.
+  EXPECT_GT(fail_at_each("device_lost", {"the device was lost", "the last pass was '"}, every(24)), 60u);
 }
 
 TEST_F(FailureTest, AnAllocationThatFindsNoRoomIsNamedAndGoneOnFrom) {
