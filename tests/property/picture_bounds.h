@@ -1,0 +1,46 @@
+// What any method can make of a picture at most and at least, from all fragments that the reference captured.
+#ifndef PLUME_TESTS_PICTURE_BOUNDS_H
+#define PLUME_TESTS_PICTURE_BOUNDS_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/methods/method.h"
+#include "sandbox/measure/image.h"
+
+namespace plume {
+
+/// Light is not negative, nothing lets more pass than it says, and nothing hides more than it covers. So a
+/// pixel has at least its background through all that is in front of it, where of a fragment's three
+/// transmittances that counts which is least, as there are methods with one for all colours. At most it has
+/// the same with the largest, and all light of all fragments with nothing in its way, or, of methods that
+/// average, that of the brightest as if it alone covered all. Where there is no fragment it is the
+/// background, to the bit.
+class PictureBounds {
+ public:
+  /// After `resources`' reference drew what it drew over `background`.
+  PictureBounds(gpu::Device& device, const Resources& resources, Image background);
+
+  /// The first pixel that is out of bounds, and how many are; nothing: none is. Every fragment may round by
+  /// as much as the method says of itself. Of methods that move the background a pixel may have that of any
+  /// other.
+  std::optional<std::string> breach(const Image& picture, const Traits& traits) const;
+
+  size_t fragments() const { return fragments_; }
+  size_t deepest() const;
+
+ private:
+  struct Pixel {
+    size_t fragments = 0;
+    double through_least = 1.0, through_most = 1.0;
+    glm::dvec3 light{0.0};
+  };
+  std::vector<Pixel> pixels_;
+  Image background_;
+  glm::dvec3 darkest_, brightest_;  ///< of all backgrounds, in each channel
+  size_t fragments_ = 0;
+};
+
+}  // namespace plume
+#endif
