@@ -75,7 +75,7 @@ class Stochastic final : public Method {
                                        .opaque_depth = &picture.opaque_depth,
                                        .area = picture.area(),
                                        .vertex = "methods/stochastic/grown.vert",
-                                       .constants = {uint32_t(passes_)},
+                                       .constants = {uint32_t(passes_), 0u},
                                        .bindings = {{"kept", &resources.image("kept")}}});
     });
     weighted().record_resolve(picture);

@@ -63,7 +63,7 @@ class TileSorted final : public Method {
         .emission = "exact",
         .limits =
             "tilted cards take the road of linked lists; no haze or surface outputs; texture filters round "
-            "otherwise than in a draw",
+            "otherwise than in a draw, and so do depths, which the order of cards in one plane hangs on",
         .exact = true,
         .rounding = 8e-3};
   }

@@ -176,6 +176,23 @@ TEST_F(StochasticTest, NothingLeaksAlongTheEdgeOfAnOpaqueCard) {
   }
 }
 
+TEST_F(StochasticTest, EdgesAreWhereEveryMethodHasThem) {
+  size = {64, 36};
+  Random random(9);
+  for (int round = 0; round < 100; ++round) {
+    clear_cards();
+    add({.emission = glm::vec3(1.0f),
+         .half_size = {random.f(0.5, 2.0), random.f(0.5, 5000.0)},
+         .at = {random.f(-1, 1), 0},
+         .yaw = random.f(-1.2, 1.2),
+         .pitch = random.f(-0.8, 0.8)});
+    const auto exact = draw_cards("reference").linear.pixels, drawn = draw_cards("stochastic").linear.pixels;
+    for (size_t i = 0; i < exact.size(); ++i)
+      ASSERT_EQ(exact[i].r > 0.5f, drawn[i].r > 0.5f)
+          << "round " << round << ", pixel " << i % size.x << "," << i / size.x;
+  }
+}
+
 TEST_F(StochasticTest, ACardCoversAsManySamplesAsItIsOpaque) {
   size = {64, 32};
   for (const float alpha : {0.1f, 0.25f, 0.3f, 0.5f, 0.8f, 1.0f}) {

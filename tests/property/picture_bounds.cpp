@@ -14,6 +14,7 @@ constexpr double kHalfRounding = 1.0 / 2048;
 constexpr double kLeastHalf = 6e-8;        // what is smaller is none
 constexpr double kLargestHalf = 65504;     // above that there is only infinity
 constexpr double kLeastCover = 1.0 / 255;  // methods that average take what covers less for a light
+constexpr float kDepthRounding = 4e-6f;    // of an interpolated depth, relative
 /// Averages divide two half floats, which may both be as small as half floats get.
 constexpr double kAverageSlack = 2.0;
 
@@ -26,7 +27,10 @@ PictureBounds::PictureBounds(gpu::Device& device, const Resources& resources, Im
   for (size_t i = 0; i < background_.pixels.size(); ++i) {
     Pixel& pixel = pixels_.emplace_back();
     glm::dvec3 brightest(0.0);
-    for (const shared::FragmentNode& f : lists.of(i)) {
+    float depth = 0.0f;
+    for (const shared::FragmentNode& f : lists.of(i)) {  // nearest first
+      if (pixel.fragments > 0 && f.depth - depth <= kDepthRounding * depth) pixel.is_ordered = false;
+      depth = f.depth;
       const auto [least, most] =
           std::minmax({double(f.transmittance.r), double(f.transmittance.g), double(f.transmittance.b)});
       ++pixel.fragments;
@@ -69,6 +73,24 @@ std::optional<std::string> PictureBounds::breach(const Image& picture, const Tra
   }
   if (breaches == 0) return {};
   return fmt::format("{}; {} of {} pixels", first, breaches, pixels_.size());
+}
+
+std::optional<std::string> PictureBounds::difference(const Image& exact, const Image& picture,
+                                                     const Traits& traits) const {
+  float brightest = 0.0f;
+  for (const glm::vec3& pixel : exact.pixels) brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});
+  const double allowed = (1e-3 + traits.rounding) * double(brightest);
+  for (size_t i = 0; i < pixels_.size(); ++i) {
+    if (traits.rounding > 0 && !pixels_[i].is_ordered) continue;
+    for (int c = 0; c < 3; ++c)
+      // Written so that NaN fails too; two infinities are equal.
+      if (const float a = exact.pixels[i][c], b = picture.pixels[i][c];
+          a != b && !(std::abs(double(a) - double(b)) <= allowed))
+        return fmt::format("pixel {},{} channel {}: {} instead of {}, which may be off by {}, {} fragments",
+                           i % size_t(picture.width), i / size_t(picture.width), c, b, a, allowed,
+                           pixels_[i].fragments);
+  }
+  return {};
 }
 
 size_t PictureBounds::deepest() const {

@@ -27,6 +27,11 @@ class PictureBounds {
   /// other.
   std::optional<std::string> breach(const Image& picture, const Traits& traits) const;
 
+  /// How far `picture` is from the reference's, if that is more than an exact method may be, which is
+  /// measured in the brightest light. What hangs on the last bits of depths, as the order of cards in one
+  /// plane does, is asked only of methods that round nothing but in halves.
+  std::optional<std::string> difference(const Image& exact, const Image& picture, const Traits& traits) const;
+
   size_t fragments() const { return fragments_; }
   size_t deepest() const;
 
@@ -35,6 +40,7 @@ class PictureBounds {
     size_t fragments = 0;
     double through_least = 1.0, through_most = 1.0;
     glm::dvec3 light{0.0};
+    bool is_ordered = true;  ///< whatever the last bits of depths
   };
   std::vector<Pixel> pixels_;
   Image background_;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "sandbox/measure/metrics.h"
 #include "sandbox/measure/shortfalls.h"
 #include "sandbox/presets/check.h"
 #include "sandbox/presets/field_help.h"
@@ -66,15 +65,8 @@ class RandomScenes : public GpuTest {
     if (const auto breach = bounds.breach(drawn, traits)) ADD_FAILURE() << *breach;
     const bool fell_short =
         !shortfall_sentences(*fresh.method, fresh.method->statistics(device, fresh.resources)).empty();
-    if (traits.exact && !fell_short) {
-      float brightest = 0.0f;
-      for (const glm::vec3& pixel : exact.pixels)
-        brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});
-      const MaxError error = max_abs(exact, drawn);
-      EXPECT_LE(error.value, (1e-3 + traits.rounding) * brightest)
-          << "from the reference, whose brightest light is " << brightest << ", at " << error.x << ","
-          << error.y;
-    }
+    if (traits.exact && !fell_short)
+      if (const auto difference = bounds.difference(exact, drawn, traits)) ADD_FAILURE() << *difference;
     auto worn = worn_.find(id);
     if (worn == worn_.end()) {
       worn = worn_.emplace(id, instance(id)).first;

@@ -13,7 +13,6 @@
 layout(early_fragment_tests) in;
 
 void main() {
-  if (!on_card()) discard;
   const Fragment f = shade();
   const vec3 seen = vec3(visible_at(ivec2(gl_FragCoord.xy), plane_depth()));
   write_weighted(f, seen, seen, false);
