@@ -127,6 +127,8 @@ struct Traits {
   /// What rounding takes of a fragment's light or transmittance at most, relative, where it is more than half
   /// floats': by formats, or by texture filters that step.
   double rounding = 0.0;
+  /// Blurs or bends the background by itself: a pixel may show what another has behind it.
+  bool moves_background = false;
 };
 
 class Method {

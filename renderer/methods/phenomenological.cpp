@@ -34,7 +34,8 @@ class Phenomenological final : public Method {
             .transmission = "RGB for the background; half of its hue for what is drawn",
             .emission = "in the weighted average where covered; added unattenuated where not",
             .limits = "blurs and bends the opaque background only; weights guess from depth",
-            .street_rmse = 0.23};
+            .street_rmse = 0.23,
+            .moves_background = true};
   }
 
   void visit(ParameterVisitor& visitor) override {

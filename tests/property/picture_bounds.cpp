@@ -46,19 +46,20 @@ PictureBounds::PictureBounds(gpu::Device& device, const Resources& resources, Im
 }
 
 std::optional<std::string> PictureBounds::breach(const Image& picture, const Traits& traits) const {
-  const bool moves_background = traits.limits.find("bends the opaque background") != std::string_view::npos;
   size_t breaches = 0;
   std::string first;
   for (size_t i = 0; i < pixels_.size(); ++i) {
     const Pixel& pixel = pixels_[i];
-    const bool untouched = pixel.fragments == 0 && !moves_background;
+    const bool untouched = pixel.fragments == 0 && !traits.moves_background;
     const double slack =
         untouched ? 0.0 : double(pixel.fragments + 3) * std::max(kHalfRounding, traits.rounding);
     const glm::dvec3 here(background_.pixels[i]);
     for (int c = 0; c < 3; ++c) {
-      const double least = pixel.through_least * (moves_background ? darkest_ : here)[c],
-                   most = pixel.through_most * (moves_background ? brightest_ : here)[c] + pixel.light[c],
-                   value = double(picture.pixels[i][c]), room = untouched ? 0.0 : kLeastHalf * slack * 2048;
+      const double least = pixel.through_least * (traits.moves_background ? darkest_ : here)[c],
+                   most =
+                       pixel.through_most * (traits.moves_background ? brightest_ : here)[c] + pixel.light[c],
+                   value = double(picture.pixels[i][c]),
+                   room = untouched ? 0.0 : double(pixel.fragments + 3) * kLeastHalf;
       const bool is_too_bright_for_halves = most * (1 + slack) >= kLargestHalf && value > 0;
       // Written so that NaN fails too.
       if (value >= 0 && value >= least * (1 - slack) - room &&

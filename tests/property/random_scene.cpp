@@ -64,7 +64,7 @@ class Author {
     for (uint64_t more = is_new ? 1 + dice_.below(3) : 0; more > 0; --more) document.add("emitter");
     for (int round = 0; round < 12 && !is_bearable(); ++round) bear_less(document);
     wander(document, is_new ? 60 : uint32_t(dice_.below(16)), is_bearable);
-    document.save();
+    finish(document);
     return id;
   }
 
@@ -83,7 +83,7 @@ class Author {
     move_camera(document);
     for (size_t i = 0; i < document.scene()->instances.size(); ++i) move_layers(document, i);
     look_at_something(document);
-    document.save();
+    finish(document);
     made_.id = id;
     made_.size = {1 + dice_.below(64), 1 + dice_.below(40)};
   }
@@ -97,6 +97,15 @@ class Author {
     std::ofstream(path) << text << "\n";
     made_.files.push_back(path);
     return PresetDocument(path, kind, library_);
+  }
+
+  void finish(PresetDocument& document) {
+    document.save();
+    for (const Field& field : document.fields())
+      if (field.present() && is_table(field)) made_.patterns.insert(pattern_of(field.path));
+  }
+  static bool is_table(const Field& field) {
+    return std::holds_alternative<Group>(field.value) || std::holds_alternative<Groups>(field.value);
   }
 
   Load load_of(const Scene& scene) const {
@@ -153,7 +162,7 @@ class Author {
 
   bool note(const Field& field, const PresetDocument::Outcome& outcome) {
     made_.edits += outcome.made, made_.contradictions += !outcome.made;
-    if (outcome.made) made_.patterns.insert(pattern_of(field.path));
+    if (outcome.made && !is_table(field)) made_.patterns.insert(pattern_of(field.path));
     const std::string limits = fmt::format("from {} to {}", field.limits.min, field.limits.max);
     const std::string key = "`" + parse_path(field.path).back().key + "` is ";
     for (const Diagnostic& diagnostic : outcome.diagnostics)
@@ -179,7 +188,7 @@ class Author {
     const std::vector<Instance>& instances = document.scene()->instances;
     if (instances.empty() || dice_.chance(25)) return;
     const glm::vec3 target = dice_.one_of(instances).position;
-    const glm::vec3 way(float(dice_.below(7)) - 3, float(dice_.below(5)) - 1, float(1 + dice_.below(3)));
+    const glm::vec3 way{float(dice_.below(7)) - 3, float(dice_.below(5)) - 1, float(1 + dice_.below(3))};
     document.set("camera[0].target", target);
     document.set("camera[0].position", target + way * float(dice_.octaves(-3, 1)));
   }

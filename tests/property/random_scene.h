@@ -19,7 +19,7 @@ struct RandomScene {
   std::string id;                            ///< of the scene
   std::vector<std::filesystem::path> files;  ///< the scene, and the effects that were made for it
   glm::uvec2 size;                           ///< of its picture, pixels: both sides from 1 on
-  std::set<std::string> patterns;            ///< of the fields that were set (see pattern_of())
+  std::set<std::string> patterns;            ///< of the fields that were set, and of the tables there are
   size_t edits = 0;                          ///< that the editor took
   size_t contradictions = 0;                 ///< edits that it refused
   /// What it refused although the field says that it takes such a value.
