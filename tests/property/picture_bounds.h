@@ -24,10 +24,10 @@ class PictureBounds {
 
   /// The first pixel that is out of bounds, and how many are; nothing: none is. Every fragment may round by
   /// as much as the method says of itself. Of methods that move the background a pixel may have that of any
-  /// other.
-  std::optional<std::string> breach(const Image& picture, const Traits& traits) const;
+  /// other. A method that fell short by its own count may have lost what light it had too much of.
+  std::optional<std::string> breach(const Image& picture, const Traits& traits, bool fell_short) const;
 
-  /// How far `picture` is from the reference's, if that is more than an exact method may be, which is
+  /// The same of pixels that are farther from the reference's than an exact method's may be, which is
   /// measured in the brightest light. What hangs on the last bits of depths, as the order of cards in one
   /// plane does, is asked only of methods that round nothing but in halves.
   std::optional<std::string> difference(const Image& exact, const Image& picture, const Traits& traits) const;
@@ -42,6 +42,10 @@ class PictureBounds {
     glm::dvec3 light{0.0};
     bool is_ordered = true;  ///< whatever the last bits of depths
   };
+  template <class IsWrong>
+  std::optional<std::string> pixels_that(const IsWrong& is_wrong, const Image& picture,
+                                         const Traits& traits) const;
+
   std::vector<Pixel> pixels_;
   Image background_;
   glm::dvec3 darkest_, brightest_;  ///< of all backgrounds, in each channel

@@ -10,6 +10,7 @@
 
 #include "sandbox/effects/lineage.h"
 #include "sandbox/effects/spawn_schedule.h"
+#include "sandbox/presets/edit_consequences.h"
 #include "sandbox/presets/field_toml.h"
 #include "sandbox/presets/preset_document.h"
 #include "sandbox/presets/preset_file.h"
@@ -135,13 +136,22 @@ class Author {
     }
   }
 
-  /// Random edits. Those after which the whole is too much are undone.
+  /// Random edits, and often some more of what comes with one: a kill volume that is a ball now has a radius.
+  /// Those after which the whole is too much are undone.
   void wander(PresetDocument& document, uint32_t steps, const std::function<bool()>& is_bearable) {
     while (steps-- > 0) {
-      const Field field = dice_.one_of(document.fields());
-      if (field.in_absent_table) continue;
-      if (edit(document, field) && !is_bearable()) document.undo();
+      const std::vector<Field> before = document.fields();
+      if (!edit_bearably(document, dice_.one_of(before), is_bearable)) continue;
+      const std::vector<Field> after = document.fields();
+      for (const Field& field : after)
+        if (!find_field(before, field.path) && dice_.chance(50) && document.field(field.path))
+          edit_bearably(document, *document.field(field.path), is_bearable);
     }
+  }
+  bool edit_bearably(PresetDocument& document, Field field, const std::function<bool()>& is_bearable) {
+    if (field.in_absent_table || !edit(document, field)) return false;
+    if (!is_bearable()) document.undo();
+    return true;
   }
 
   /// Whether the text changed.
