@@ -54,12 +54,14 @@ Reading read_once(const std::filesystem::path& path) {
   Reading before, now;
   if (!file || ::fstat(::fileno(file.get()), &before.at) != 0)
     fail(path, "cannot be opened, expected a TOML file you may read");
+  // Before it is read: what is written within a tick of the clock of an earlier change leaves no later time.
+  const bool was_at_rest = age(before.at) > kSettled;
   now.text.resize(kMaxFileBytes + 1);  // one byte more than allowed tells a file that is too long
   now.text.resize(std::fread(now.text.data(), 1, now.text.size(), file.get()));
   if (std::ferror(file.get()) || ::fstat(::fileno(file.get()), &now.at) != 0)
     fail(path, "cannot be read, expected a TOML file you may read");
   // A pipe is read but once.
-  now.is_steady = !S_ISREG(now.at.st_mode) || (now.is_of_the_same(before) && age(now.at) > kSettled);
+  now.is_steady = !S_ISREG(now.at.st_mode) || (was_at_rest && now.is_of_the_same(before));
   return now;
 }
 

@@ -185,6 +185,22 @@ TEST_F(AvboitExactLayers, OfOneDepthHideEachOtherAsInTheReference) {
       ASSERT_NEAR(exact.linear.pixels[i][c], drawn.linear.pixels[i][c], 3e-3) << "pixel " << i;
 }
 
+// Clear glass covers and lets everything pass, as the faint edge of a disc does.
+TEST_F(AvboitExactLayers, ThatHideNothingAreLikeNone) {
+  for (const size_t clear : {0u, 1u, 4u, 7u}) {
+    clear_cards();
+    for (size_t i = 0; i < clear; ++i)
+      add({.z = 2 + 0.3f * float(i),
+           .optical_depth = 1.0f,
+           .transmission = glm::vec3(1.0f),
+           .layer = shared::kSolidLayer});
+    add({.z = 7, .optical_depth = 1.0f, .color = glm::vec3(0.5f)});
+    add_sharp(8, 1.0f, glm::vec3(0.5f));
+    const glm::vec3 pixel = draw_cards("avboit").linear.pixels[100];
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(0.5 * (1 - std::exp(-2.0)), pixel[c], 0.002) << clear;
+  }
+}
+
 TEST_F(AvboitExactLayers, BeyondTheLastTheNearestOpaqueCardIsSeen) {
   clear_cards();
   for (int i = 0; i < 6; ++i) add_sharp(2 + 0.2f * float(i), 0.06f, glm::vec3(0.0f));

@@ -68,7 +68,8 @@ class FilesThatDoNotFit : public testing::Test {
     }
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "plume files that do not fit";
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / ("plume files that do not fit " + std::to_string(getpid()));
   rlimit before_{};
 };
 

@@ -10,11 +10,11 @@ PLUME_SHARED_BEGIN
 // A layer is a 64-bit key: its place along the ray, above its transmittance. The place is the bits of the
 // view depth without the last few, where the card's index stands instead: cards of one depth hide each other
 // in the order of their indices, as in the reference. Transmittance is 10 bits a channel, or, marked by the
-// highest bit, 24 bits of one value for all: little light through something black may still be bright.
+// highest bit, 23 bits of one value for all: little light through something black may still be bright.
 const uint kTieMask = 63u;
 const uint kLayerSteps = 1023u;
 const uint kGrayLayer = 0x80000000u;
-const uint kGraySteps = 0xffffffu;
+const uint kGraySteps = 0x7fffffu;  // and a half is a float too, so that 1 stays 1
 const uint kNoLayer = 0xffffffffu;  // in both halves: farther than any
 
 // What falls off the end of a pixel's layers, as one slab of smoke: sums that no order of draws changes.
