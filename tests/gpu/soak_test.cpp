@@ -5,13 +5,12 @@
 //
 // By default that is a few seconds, of some ticks and without the mist's 200 000 particles.
 // PLUME_SOAK_TICKS=N walks N ticks of the whole, or of the whole without the instance PLUME_SOAK_WITHOUT:
-// scripts/soak.sh. Then without validation, whose layers keep a little of every frame.
-#include <malloc.h>
-
+// scripts/soak.sh ticks. Then without validation, whose layers keep a little of every frame.
 #include <random>
 
 #include "tests/gpu/finite.h"
 #include "tests/gpu/gpu_test.h"
+#include "tests/gpu/process.h"
 
 namespace plume {
 namespace {
@@ -20,12 +19,6 @@ constexpr glm::uvec2 kSize{160, 90};
 /// What the driver may keep for itself from the second round on: llvmpipe has lists of 36 MiB of triangles in
 /// flight, more or fewer of them. Over 10^6 ticks this finds what leaks 140 bytes a tick.
 constexpr uint64_t kHeapSlack = uint64_t{128} << 20;
-
-/// In use, the driver's part included, which on a CPU device is all of the device's memory.
-uint64_t heap_bytes() {
-  const auto heap = mallinfo2();
-  return heap.uordblks + heap.hblkhd;
-}
 
 class SoakTest : public GpuTest {
  protected:

@@ -15,7 +15,7 @@ namespace plume {
 
 class WorkspaceTest : public GpuTest {
  protected:
-  WorkspaceTest() {
+  explicit WorkspaceTest(bool validate = true) : GpuTest(validate) {
     std::filesystem::remove_all(root_);
     for (const char* folder : {"effects", "scenes"}) std::filesystem::create_directories(root_ / folder);
   }

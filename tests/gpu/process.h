@@ -1,0 +1,33 @@
+// What this process holds of the system. Linux alone.
+#ifndef PLUME_TESTS_PROCESS_H
+#define PLUME_TESTS_PROCESS_H
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+namespace plume {
+
+/// In use, the driver's part included, which on a CPU device is all of the device's memory.
+inline uint64_t heap_bytes() {
+  const auto heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+inline uint64_t resident_bytes() {
+  uint64_t all_pages = 0, resident_pages = 0;
+  std::ifstream("/proc/self/statm") >> all_pages >> resident_pages;
+  return resident_pages * uint64_t(sysconf(_SC_PAGESIZE));
+}
+
+/// Entries of a folder of /proc/self: "fd", the open files; "task", the threads.
+inline int64_t process_count(const char* of) {
+  namespace fs = std::filesystem;
+  return std::distance(fs::directory_iterator(fs::path("/proc/self") / of), fs::directory_iterator());
+}
+
+}  // namespace plume
+#endif
