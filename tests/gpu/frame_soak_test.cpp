@@ -191,7 +191,7 @@ class FrameSoakTest : public WorkspaceTest {
 
 TEST_F(FrameSoakTest, WhateverWasDoneComingHomeFindsEverythingAsItWas) {
   const char* wanted = std::getenv("PLUME_SOAK_FRAMES");
-  soak(wanted ? std::stoull(wanted) : 300, wanted != nullptr);
+  soak(wanted ? std::stoull(wanted) : 200, wanted != nullptr);
 }
 
 }  // namespace
