@@ -60,8 +60,9 @@ Reading read_once(const std::filesystem::path& path) {
   now.text.resize(std::fread(now.text.data(), 1, now.text.size(), file.get()));
   if (std::ferror(file.get()) || ::fstat(::fileno(file.get()), &now.at) != 0)
     fail(path, "cannot be read, expected a TOML file you may read");
-  // A pipe is read but once.
-  now.is_steady = !S_ISREG(now.at.st_mode) || (was_at_rest && now.is_of_the_same(before));
+  // A pipe is read but once. Of a file that is being emptied, the size may change before the time does.
+  now.is_steady =
+      !S_ISREG(now.at.st_mode) || (was_at_rest && now.is_of_the_same(before) && !now.text.empty());
   return now;
 }
 
