@@ -1,4 +1,4 @@
-// Pictures by one thread of llvmpipe and by two. DESIGN allows 2/255 between them. Nothing here needs it:
+// Pictures by one thread of llvmpipe and by two are the same to the bit, where 2/255 would be allowed:
 // llvmpipe gives a tile of 64 x 64 pixels to one thread, which draws its primitives in their order, so
 // blends, lists and spinlocks of one pixel see the same order; what pixels and work groups share is added in
 // integers, or sorted by keys that do not depend on who came first.

@@ -123,8 +123,7 @@ TEST_P(MethodProperties, TheOrderOfDrawsChangesNothingBeyondRounding) {
     stage.set_draw_order(order);
     const DrawnPicture shuffled = draw(stage, targets, method);
     for (size_t i = 0; i < in_order.display.pixels.size(); ++i)
-      for (size_t c = 0; c < 3;
-           ++c)  // half-float sums round differently in another order: DESIGN allows 2/255
+      for (size_t c = 0; c < 3; ++c)  // half-float sums round differently in another order: 2/255 is allowed
         ASSERT_NEAR(int(in_order.display.pixels[i][c]), int(shuffled.display.pixels[i][c]), 2)
             << "pixel " << i;
   }
