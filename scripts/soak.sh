@@ -4,8 +4,8 @@
 # Takes hours without a GPU: walking 1200 ticks takes 10 s on two idle cores, besides the checkpoints. Quicker without
 # the 200,000 particles of its mist: PLUME_SOAK_WITHOUT=mist scripts/soak.sh ticks
 # scripts/soak.sh frames [N]: draws N frames (otherwise 100,000) of the window's work without a window, and fails on a
-# picture, an amount of memory or a number of objects that is not what it was, and on validation messages:
-# tests/gpu/frame_soak_test.cpp.
+# picture, an amount of memory or a number of objects that is not what it was: tests/gpu/frame_soak_test.cpp. With
+# PLUME_SOAK_VALIDATE=1 validation messages fail it too, and the heap, of which the layers take more and more, may grow.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 case "${1:-}" in

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string>
 
 namespace plume {
 
@@ -23,10 +25,19 @@ inline uint64_t resident_bytes() {
   return resident_pages * uint64_t(sysconf(_SC_PAGESIZE));
 }
 
-/// Entries of a folder of /proc/self: "fd", the open files; "task", the threads.
-inline int64_t process_count(const char* of) {
+/// What is open, by name.
+inline std::multiset<std::string> open_files() {
+  std::multiset<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;  // such as the folder that is read here
+    names.insert(std::filesystem::read_symlink(file, gone).string());
+  }
+  return names;
+}
+
+inline int64_t thread_count() {
   namespace fs = std::filesystem;
-  return std::distance(fs::directory_iterator(fs::path("/proc/self") / of), fs::directory_iterator());
+  return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator());
 }
 
 }  // namespace plume
