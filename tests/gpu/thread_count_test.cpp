@@ -35,7 +35,6 @@ std::vector<DrawnPicture> pictures(const std::vector<Case>& cases, int threads) 
   const EnvironmentVariable count("LP_NUM_THREADS", std::to_string(threads));
   const int before = rasterizer_threads();
   gpu::Device device({});
-  EXPECT_EQ(before + threads, rasterizer_threads());
   const gpu::Shaders shaders;
   gpu::Pipelines pipelines(device, shaders);
   const PresetLibrary library(PLUME_SOURCE_PRESETS);
@@ -53,6 +52,7 @@ std::vector<DrawnPicture> pictures(const std::vector<Case>& cases, int threads) 
     render_frame(device, pipelines, targets, stage->prelude(), stage->transparents(), method);
     drawn.push_back(read_picture(device, targets));
   }
+  EXPECT_EQ(before + threads, rasterizer_threads());  // they name themselves once they run
   return drawn;
 }
 
