@@ -79,7 +79,7 @@ TEST_F(ReplacedPresetTest, ByRenamingIsDrawnAsItIsTold) {
         write("new", effect);
         fs::rename(at("new"), at(file_));
       },
-      40);
+      400);  // what is renamed more often than every 50 ms is never at rest
 }
 
 TEST_F(ReplacedPresetTest, InPlaceIsDrawnAsItIsTold) {
