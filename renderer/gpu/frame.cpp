@@ -160,6 +160,7 @@ void Pass::barrier() {
 Frame::Frame(Device& device, Pipelines& pipelines)
     : device_(device),
       pipelines_(pipelines),
+      use_(pipelines),
       stamps_(device.vk().createQueryPool(
           {.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kMaxPasses})),
       counters_(
@@ -186,7 +187,7 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
   const std::string label(name);
   const uint32_t index = uint32_t(passes_.size());
   passes_.push_back({label, counters_used_, counters_used_});
-  const size_t pipelines_before = pipelines_.count();
+  const uint64_t made_before = pipelines_.made();
   if (device_.has_debug_labels()) commands().beginDebugUtilsLabelEXT({.pLabelName = label.c_str()});
   commands().fillBuffer(breadcrumb_.vk(), 0, 4, index + 1);
   // Lavapipe batches work: a stamp is only true behind a full barrier (Mesa 22.3: without, a 143 ms pass
@@ -202,7 +203,7 @@ void Frame::pass(std::string_view name, const std::function<void(Pass&)>& record
   full_barrier();
   commands().writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *stamps_, 2 * index + 1);
   if (device_.has_debug_labels()) commands().endDebugUtilsLabelEXT();
-  if (!pipelines_.listener() || pipelines_.count() == pipelines_before) return;
+  if (!pipelines_.listener() || pipelines_.made() == made_before) return;
   commands().end();
   parts_.back().last_pass = label;
   cut();

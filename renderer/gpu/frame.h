@@ -142,6 +142,7 @@ class Frame {
 
   Device& device_;
   Pipelines& pipelines_;
+  const Pipelines::Use use_;
   std::vector<Part> parts_;  // one, unless somebody listens to pipelines being made
   vk::raii::QueryPool stamps_;
   vk::raii::QueryPool counters_;

@@ -84,12 +84,13 @@ struct Specialisation {
 
 }  // namespace
 
-Pipelines::Pipelines(Device& device, const Shaders& shaders, std::span<const uint8_t> kept)
+Pipelines::Pipelines(Device& device, const Shaders& shaders, std::span<const uint8_t> kept, size_t most)
     : device_(device),
       shaders_(shaders),
       cache_(device, kept),
       linear_(make_sampler(device, vk::Filter::eLinear)),
-      nearest_(make_sampler(device, vk::Filter::eNearest)) {}
+      nearest_(make_sampler(device, vk::Filter::eNearest)),
+      most_(most) {}
 
 vk::Sampler Pipelines::sampler_for(vk::Format format) const {
   const bool filterable = format != vk::Format::eD32Sfloat && format != vk::Format::eR32Sfloat;
@@ -98,11 +99,22 @@ vk::Sampler Pipelines::sampler_for(vk::Format format) const {
 
 const Pipeline& Pipelines::find_or_make(std::string key, const std::string& shader,
                                         std::function<Pipeline()> make) {
-  if (const auto known = pipelines_.find(key); known != pipelines_.end()) return *known->second.pipeline;
+  ++asked_;
+  if (const auto known = pipelines_.find(key); known != pipelines_.end()) {
+    known->second.last_asked = asked_;
+    return *known->second.pipeline;
+  }
   if (listener_) listener_({.what = shader, .done = 0, .total = 0});
   auto pipeline = std::make_unique<Pipeline>(make());
-  return *pipelines_.emplace(std::move(key), Entry{std::move(make), std::move(pipeline)})
+  ++made_;
+  return *pipelines_.emplace(std::move(key), Entry{std::move(make), std::move(pipeline), asked_})
               .first->second.pipeline;
+}
+
+void Pipelines::drop_oldest() {
+  while (pipelines_.size() > most_)
+    pipelines_.erase(
+        std::ranges::min_element(pipelines_, {}, [](const auto& known) { return known.second.last_asked; }));
 }
 
 const Pipeline& Pipelines::compute(const std::string& shader, const Constants& constants) {

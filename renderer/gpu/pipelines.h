@@ -1,4 +1,5 @@
-// Pipelines by description, made when first asked for and kept. Layouts come from the shaders themselves.
+// Pipelines by description, made when first asked for and kept while there is room for them. Layouts come
+// from the shaders themselves.
 #ifndef PLUME_GPU_PIPELINES_H
 #define PLUME_GPU_PIPELINES_H
 
@@ -60,10 +61,31 @@ struct Preparing {
   size_t done, total;     ///< passes that ran for the first time; 0 of 0 while pipelines are described
 };
 
+/// So many that all methods of a comparison find theirs again in every round. llvmpipe (LLVM 15, Mesa 22.3.6)
+/// keeps 2.8 MiB of compiled code for each.
+constexpr size_t kMostPipelines = 512;
+
 class Pipelines {
  public:
-  /// `kept`: what cache() had in an earlier run, so that the driver need not work again.
-  Pipelines(Device& device, const Shaders& shaders, std::span<const uint8_t> kept = {});
+  /// `kept`: what cache() had in an earlier run, so that the driver need not work again. `most`: so many stay
+  /// between frames, those that were used last.
+  Pipelines(Device& device, const Shaders& shaders, std::span<const uint8_t> kept = {},
+            size_t most = kMostPipelines);
+  Pipelines(const Pipelines&) = delete;
+
+  /// What is given back stays where it is while a Use lives. Every frame has one from before it is recorded
+  /// until the device has run it.
+  class Use {
+   public:
+    explicit Use(Pipelines& pipelines) : pipelines_(pipelines) { ++pipelines_.uses_; }
+    ~Use() {
+      if (--pipelines_.uses_ == 0) pipelines_.drop_oldest();
+    }
+    Use(const Use&) = delete;
+
+   private:
+    Pipelines& pipelines_;
+  };
 
   const Pipeline& compute(const std::string& shader, const Constants& constants = {});
   const Pipeline& graphics(const GraphicsDesc& desc);
@@ -72,6 +94,8 @@ class Pipelines {
   /// old ones.
   void reload();
   size_t count() const { return pipelines_.size(); }
+  /// So many were made since the beginning, reloads aside.
+  uint64_t made() const { return made_; }
   /// Called before each pipeline is made, and after each pass that ran new ones: some drivers compile a
   /// shader when it first runs, so frames hand those passes over one by one while somebody listens. The
   /// listener may use the device, and must not draw frames of passes.
@@ -92,7 +116,9 @@ class Pipelines {
   struct Entry {
     std::function<Pipeline()> make;
     std::unique_ptr<Pipeline> pipeline;
+    uint64_t last_asked;  ///< of all questions, the number of the last one for it
   };
+  void drop_oldest();
   const Pipeline& find_or_make(std::string key, const std::string& shader, std::function<Pipeline()> make);
 
   Device& device_;
@@ -100,6 +126,9 @@ class Pipelines {
   PipelineCache cache_;
   vk::raii::Sampler linear_, nearest_;
   std::map<std::string, Entry> pipelines_;
+  const size_t most_;
+  uint64_t asked_ = 0, made_ = 0;
+  int uses_ = 0;
   Listener listener_;
 };
 
