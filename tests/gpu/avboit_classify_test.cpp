@@ -36,6 +36,7 @@ class AvboitClassify : public AvboitTest {
 
 TEST_F(AvboitClassify, EveryCardKnowsWhatLiesInFrontOfIt) {
   settings.zero_depth = avboit::ZeroDepth::kOff;
+  settings.small_cells = 0;
   size_t behind_rgb = 0, behind_layers = 0, free_of_both = 0;
   for (int round = 0; round < 8; ++round) {
     clear_cards();

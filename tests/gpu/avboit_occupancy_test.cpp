@@ -147,6 +147,7 @@ TEST_F(AvboitOccupancy, SharpCardsStartTheLayersOfTheirTiles) {
   add({.z = 6, .half_size = {0.2f, 0.2f}, .at = {-3, 0}, .layer = shared::kSolidLayer});
   add({.z = 7, .half_size = {0.2f, 0.2f}, .at = {-3, 0}, .layer = shared::kSolidLayer});
   add({.z = 4, .half_size = {0.2f, 0.2f}, .at = {3, 0}});
+  settings.small_cells = 0;
   const Stages s = run_stages(settings, Until::kOccupancy);
   const auto start = s.words("layers_start");
   float left;

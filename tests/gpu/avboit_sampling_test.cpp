@@ -35,7 +35,7 @@ layout(scalar, binding = 2) writeonly buffer Found { float found[]; };
 layout(push_constant) uniform Push { uint count; };
 void main() {
   const uint i = gl_GlobalInvocationID.x;
-  if (i < count) found[i] = transmittance_at(vec2(8.5), slice_at(asked[i].x), vec3(asked[i].y)).r;
+  if (i < count) found[i] = transmittance_at(vec2(8.5), slice_at(asked[i].x), vec3(asked[i].y)).transmittance.r;
 })");
     std::vector<glm::vec2> asked;
     for (const Layer& l : layers) asked.push_back({float(l.z), float(l.tau)});

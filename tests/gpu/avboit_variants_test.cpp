@@ -66,16 +66,18 @@ TEST_F(AvboitVariants, EveryOptionStaysWithinItsBound) {
       {{{"sampling", "linear"}, {"eight_bits", "true"}}, 3.0},
       {{{"sampling", "quadratic"}, {"bias", "2.5"}}, 4.0},
       {{{"sampling", "cubic"}, {"bias", "2.5"}}, 4.0},
-      {{{"exact_layers", "0"}}, 2.0},
-      {{{"exact_layers", "2"}}, 1.5},
+      {{{"exact_layers", "0"}}, 4.0},
+      {{{"exact_layers", "2"}}, 2.0},
       {{{"exact_layers", "8"}}, 1.01},
+      {{{"small_cells", "0"}}, 4.0},
+      {{{"weigh_doubt", "false"}}, 2.5},
       {{{"accumulation", "11_11_10"}}, 2.0},
       {{{"accumulation", "16f"}}, 1.05},
       {{{"accumulation", "deterministic"}}, 1.01},
       {{{"zero_depth", "off"}}, 1.01},
       {{{"zero_depth", "fullscreen"}}, 1.01},
       {{{"cull_opaque", "true"}}, 1.01},
-      {{{"half_particles", "true"}}, 6.0},  // posts are a pixel wide here
+      {{{"half_particles", "true"}}, 12.0},  // posts are a pixel wide here
   };
   for (const auto& [settings, bound] : variants) {
     const double found = error("coloured", settings).first;

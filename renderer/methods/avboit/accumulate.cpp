@@ -46,11 +46,13 @@ void add_accumulate_needs(Needs& needs, const Plan& plan) {
   add("norm_rgb", format, each_channel ? 1 : kNowhere, kTargetUsage);
   add("through", through, 1, kTargetUsage);
   add("known_light", through, 1, kTargetUsage);
-  add("known_norm", through, 1, kTargetUsage);
+  add("known_norm", through, each_channel ? 1 : kNowhere, kTargetUsage);
   add("light_half", format, half, kTargetUsage);
   add("norm_half", norm, half, kTargetUsage);
   add("norm_rgb_half", format, each_channel ? half : kNowhere, kTargetUsage);
   add("through_half", through, half, kTargetUsage);
+  add("known_light_half", through, half, kTargetUsage);
+  add("known_norm_half", through, each_channel ? half : kNowhere, kTargetUsage);
   add_sums_needs(needs, plan);
 }
 
@@ -77,8 +79,8 @@ std::vector<Transparents::Style> shading(const Picture& picture, const Plan& pla
     const bool tints = exact || kind == shared::kKindRgb || s.accumulation == Accumulation::kR11G11B10;
     const bool each_channel =
         colour == Colour::kRgb && (kind == shared::kKindRgb || exact || behind_rgb || behind_layers);
-    // What a kind of card does not need comes last, and is left out. Exact cards have sums of their own:
-    // their weights are known, and only those of the others are corrected by the fraction in resolve.
+    const bool knows = exact || plan.tells_doubt();
+    // What a kind of card does not need comes last, and is left out.
     std::vector<gpu::Attachment> targets;
     const auto add = [&](const std::string& name, gpu::Blend blend) {
       targets.push_back({.image = image(half ? name + "_half" : name), .blend = blend, .clear = {}});
@@ -86,27 +88,30 @@ std::vector<Transparents::Style> shading(const Picture& picture, const Plan& pla
     add("light", gpu::Blend::kAddMultiplyAlpha);
     add(each_channel ? "norm_rgb" : "norm", gpu::Blend::kAdd);
     if (tints) add("through", gpu::Blend::kMultiply);
-    if (exact) add("known_light", gpu::Blend::kAdd);
-    if (exact) add("known_norm", gpu::Blend::kAdd);
+    if (knows) add("known_light", gpu::Blend::kAdd);
+    if (knows && each_channel) add("known_norm", gpu::Blend::kAdd);
     const uint32_t lane_bits =
         kind == shared::kKindRgb && plan.rgb ? (plan.rgb_words() == 1 ? 8u : 32u) : s.lane_bits();
     const glm::uvec2 area = half ? (plan.size + 1u) / 2u : plan.size;
-    return {
-        .fragment = "methods/avboit/accumulate.frag",
-        .targets = std::move(targets),
-        .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
-        .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
-        .area = {area.x, area.y},
-        .vertex = "methods/avboit/card_at_slice.vert",
-        .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u, tints ? 1u : 0u,
-                      kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour), behind_layers ? 1u : 0u,
-                      exact ? 1u : 0u, lane_bits, half ? 2u : 1u, each_channel ? 1u : 0u},
-        .bindings = transmittance_bindings(picture),
-        .order = buffer("class_order"),
-        .indirect = buffer("class_draws"),
-        .indirect_index = card_class,
-        .count_fragments = true,
-        .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))};
+    return {.fragment = tints ? "methods/avboit/accumulate.frag" : "methods/avboit/accumulate_plain.frag",
+            .targets = std::move(targets),
+            .depth_test = half ? image("half_visible") : &visible_depth(picture, plan),
+            .opaque_depth = half ? image("half_opaque") : &picture.opaque_depth,
+            .area = {area.x, area.y},
+            .vertex = "methods/avboit/card_at_slice.vert",
+            .constants = {uint32_t(s.sampling), s.linear_splat ? 1u : 0u, behind_rgb ? 1u : 0u,
+                          s.accumulation == Accumulation::kR11G11B10 ? 2u
+                          : tints                                    ? 1u
+                                                                     : 0u,
+                          kind == shared::kKindPlain ? 0u : 1u, uint32_t(colour), behind_layers ? 1u : 0u,
+                          exact ? 1u : 0u, lane_bits, half ? 2u : 1u, each_channel ? 1u : 0u,
+                          plan.tells_doubt() ? 1u : 0u},
+            .bindings = transmittance_bindings(picture),
+            .order = buffer("class_order"),
+            .indirect = buffer("class_draws"),
+            .indirect_index = card_class,
+            .count_fragments = true,
+            .covered = glm::vec2(plan.size) / glm::vec2(area * (half ? 2u : 1u))};
   };
   std::vector<Transparents::Style> draws;
   for (uint32_t c = 0; c < shared::kClasses; ++c) {
@@ -133,9 +138,9 @@ void record_accumulate(const Picture& picture, const Plan& plan) {
       pass.clear(*image(std::string("norm") + end), {0, 0, 0, 0});
       pass.clear(*image(std::string("norm_rgb") + end), {0, 0, 0, 0});
       pass.clear(*image(std::string("through") + end), {1, 1, 1, 1});
+      pass.clear(*image(std::string("known_light") + end), {0, 0, 0, 0});
+      pass.clear(*image(std::string("known_norm") + end), {0, 0, 0, 0});
     }
-    pass.clear(*image("known_light"), {0, 0, 0, 0});
-    pass.clear(*image("known_norm"), {0, 0, 0, 0});
     pass.barrier();
     for (const Transparents::Style& draw : shading(picture, plan)) picture.transparents.draw(pass, draw);
   });

@@ -30,7 +30,8 @@ Plan::Plan(const Settings& chosen, glm::uvec2 picture_size, const Transparents& 
             .zero_guard = std::max(bias, 1u) + (spline ? 1 : 0),
             .rgb_first = rgb ? transparents.first(Source::kRgb) : transparents.count,
             .cards = transparents.count,
-            .exact_layers = settings.exact_layer_count()};
+            .exact_layers = settings.exact_layer_count(),
+            .small_cells = settings.small_cells};
 }
 
 }  // namespace plume::avboit

@@ -25,6 +25,8 @@ struct Plan {
 
   uint64_t rays() const { return uint64_t(volume.cells.x) * volume.cells.y; }
   uint64_t tiles() const { return uint64_t(volume.tiles.x) * volume.tiles.y; }
+  /// Weights are split by how far the volume is in doubt of them.
+  bool tells_doubt() const { return settings.weigh_doubt && settings.sampling == Sampling::kSelfExcluded; }
   /// Coloured events that share a slice with another are looked for.
   bool watches_overlap() const {
     return coloured && (settings.colour == Colour::kSkew || settings.colour == Colour::kFirstEvent);

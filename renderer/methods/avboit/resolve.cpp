@@ -32,6 +32,8 @@ void record_resolve(const Picture& picture, const Plan& plan) {
                    {"opaque_depth", &picture.opaque_depth},
                    {"known_light", image("known_light")},
                    {"known_norm", image("known_norm")},
+                   {"known_light_half", image("known_light_half")},
+                   {"known_norm_half", image("known_norm_half")},
                    {"opaque_color", &picture.opaque_color},
                    {"result", &picture.result}},
                   picture.size, {gpu::groups(picture.size.x, 8), gpu::groups(picture.size.y, 8), 1});

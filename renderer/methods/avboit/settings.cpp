@@ -95,10 +95,19 @@ void Settings::visit(ParameterVisitor& visitor) {
   visitor.toggle("skew_guard", skew_guard,
                  "skew and first_event: no tint where a coloured event shares its slice with another");
   visitor.toggle("normalise", normalise, "scales the sum so that coverage adds up exactly");
-  visitor.choice(
-      "exact_layers", exact_layers, kExactNames,
-      "nearest fragments of hard-edged and small near-opaque cards kept a pixel, instead of in the "
-      "volume: exact glass and sparks, for memory");
+  visitor.toggle(
+      "weigh_doubt", weigh_doubt,
+      "of self_excluded: weights change as far as the volume is in doubt of them, not all alike: finer "
+      "edges of smoke, for one sum more");
+  visitor.choice("exact_layers", exact_layers, kExactNames,
+                 "nearest fragments of hard-edged and small cards kept a pixel, instead of in the "
+                 "volume: exact glass and sparks, for memory");
+  visitor.number("small_cells", small_cells,
+                 {.min = 0.0,
+                  .max = 16.0,
+                  .unit = "cells",
+                  .help = "half extent below which smoke that is seen counts as small: finer edges of what "
+                          "is far away, for time"});
   choice(visitor, "accumulation", accumulation, kAccumulations,
          "format of the sums: rounding for bandwidth; thin layers are lost in 16 bits. Deterministic adds "
          "integers: the same bits whatever the order of draws, before haze and depth of field");

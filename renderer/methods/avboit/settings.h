@@ -29,13 +29,14 @@ struct Settings {
   float bias = 2.0f;
   Colour colour = Colour::kRgb;
   bool skew_guard = true;
-  bool normalise = true;
+  bool normalise = true, weigh_doubt = true;
   Accumulation accumulation = Accumulation::kFloat;
   ZeroDepth zero_depth = ZeroDepth::kQuads;
   float zero_transmittance = 1.0f / 1024;
   bool cull_opaque = false;
   bool half_particles = false;
   int exact_layers = 2;  ///< index into kExactLayers
+  float small_cells = 3.0f;
 
   void visit(ParameterVisitor& visitor);
 

@@ -36,13 +36,14 @@ void record_sums(const Picture& picture, const Plan& plan) {
                  .fragment = "methods/avboit/gather.frag",
                  .targets = std::move(targets),
                  .area = {area.x, area.y},
-                 .constants = {scale, plan.coloured ? 1u : 0u},
+                 .constants = {scale, plan.colour() == Colour::kRgb ? 1u : 0u},
                  .bindings = {sums}},
                 plan.size);
     };
     gather(plan.size, 1, "", {"light", "norm", "norm_rgb", "through", "known_light", "known_norm"});
     if (plan.settings.half_particles)
-      gather((plan.size + 1u) / 2u, 2, "_half", {"light", "norm", "norm_rgb", "through"});
+      gather((plan.size + 1u) / 2u, 2, "_half",
+             {"light", "norm", "norm_rgb", "through", "known_light", "known_norm"});
   });
 }
 

@@ -1,4 +1,4 @@
-// AVBOIT, draw: every fragment in any order; blending sums.
+// AVBOIT, draw: every fragment of what tints in any order; blending sums.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "methods/avboit/accumulate.glsl"
@@ -14,6 +14,6 @@ void main() {
   light = share.light;
   norm = vec4(share.norm, 0.0);
   through = share.through;
-  known_light = vec4(share.known_light, 0.0);
+  known_light = vec4(share.known_light, kEachChannel != 0u ? 0.0 : share.known_norm.r);
   known_norm = vec4(share.known_norm, 0.0);
 }

@@ -11,14 +11,14 @@ void main() {
   const uint first = first_sum(uvec2(gl_FragCoord.xy), view.size, kScale);
   add_sums(first + kLightSum, share.light.rgb);
   add_sums(first + kNormSum, kEachChannel != 0u ? share.norm : share.norm.rrr);
-  if (kTints != 0u) {
+  if (share.through != vec4(1.0)) {
     add_sums(first + kThroughSum, vec3(logarithm(share.through.r), logarithm(share.through.g), logarithm(share.through.b)));
     add_sum(first + kThroughSum + 3u, logarithm(share.through.a));
-  } else {
+  } else if (share.light.a != 1.0) {
     add_sum(first + kPlainSum, logarithm(share.light.a));
   }
-  if (kExact != 0u) {
+  if (kExact != 0u || kDoubt != 0u) {
     add_sums(first + kKnownLightSum, share.known_light);
-    add_sums(first + kKnownNormSum, share.known_norm);
+    add_sums(first + kKnownNormSum, kEachChannel != 0u ? share.known_norm : share.known_norm.rrr);
   }
 }

@@ -4,7 +4,7 @@
 #include "methods/avboit/sums.glsl"
 
 layout(constant_id = 0) const uint kScale = 1u;      // pixels of the picture a fragment, each way
-layout(constant_id = 1) const uint kColoured = 0u;   // weights are read for each channel
+layout(constant_id = 1) const uint kEachChannel = 0u;   // weights are read for each channel
 layout(push_constant) uniform Push { uvec2 size; };  // of the picture
 
 layout(location = 0) out vec4 light;
@@ -18,9 +18,9 @@ void main() {
   const uint first = first_sum(uvec2(gl_FragCoord.xy), size, kScale);
   const vec3 weights = sums(first + kNormSum);
   light = vec4(sums(first + kLightSum), exp(-sum(first + kPlainSum)));
-  norm = vec4(kColoured != 0u ? 0.0 : weights.r);
+  norm = vec4(kEachChannel != 0u ? 0.0 : weights.r);
   norm_rgb = vec4(weights, 0.0);
   through = exp(-vec4(sums(first + kThroughSum), sum(first + kThroughSum + 3u)));
-  known_light = vec4(sums(first + kKnownLightSum), 0.0);
+  known_light = vec4(sums(first + kKnownLightSum), kEachChannel != 0u ? 0.0 : sum(first + kKnownNormSum));
   known_norm = vec4(sums(first + kKnownNormSum), 0.0);
 }

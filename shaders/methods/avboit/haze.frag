@@ -10,7 +10,7 @@ void main() {
   const vec2 shift = haze_shift();
   if (shift == vec2(0.0)) discard;
   bool estimated;
-  const vec3 t = transmittance_at(gl_FragCoord.xy, slice_at(v_uv_depth.z), vec3(0.0)) *
+  const vec3 t = transmittance_at(gl_FragCoord.xy, slice_at(v_uv_depth.z), vec3(0.0)).transmittance *
                  layers_in_front(uvec2(gl_FragCoord.xy), v_uv_depth.z, v_layers_id.z, vec3(0.0), estimated);
   distortion = haze_sample(shift, dot(t, vec3(1.0 / 3.0)));
 }

@@ -35,7 +35,7 @@ vec3 around_light(uvec2 pixel, float depth) {
 vec3 around_fragment(uvec2 pixel, float depth, bool sharp) {
   const vec3 passed = kEachChannel != 0u ? probed.transmittance : vec3(dot(probed.transmittance, vec3(1.0 / 3.0)));
   const vec3 own = sharp ? vec3(0.0) : -log(max(passed, vec3(kLeastTransmittance)));
-  return transmittance_at(vec2(pixel) + 0.5, slice_at(depth), own);
+  return transmittance_at(vec2(pixel) + 0.5, slice_at(depth), own).transmittance;
 }
 
 vec3 probe_transmittance(uvec2 pixel, float depth) {

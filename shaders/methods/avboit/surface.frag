@@ -16,7 +16,7 @@ void main() {
   const vec3 own = -log(max(passed, vec3(kLeastTransmittance)));
   const bool sharp = is_sharp(cards[f.id], view, volume);
   bool estimated;
-  const vec3 t = transmittance_at(gl_FragCoord.xy, slice_at(f.depth), sharp ? vec3(0.0) : own) *
+  const vec3 t = transmittance_at(gl_FragCoord.xy, slice_at(f.depth), sharp ? vec3(0.0) : own).transmittance *
                  layers_in_front(uvec2(gl_FragCoord.xy), f.depth, f.id, sharp ? tail_depth(pack_layer(transmittance(f))) : vec3(0.0), estimated);
   const float part = presence(f) * dot(t, vec3(1.0 / 3.0));
   surface = surface_sample(part, f.depth, screen_motion(view, cards[f.id], gl_FragCoord.xy, f.depth));

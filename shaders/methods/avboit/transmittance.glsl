@@ -1,7 +1,7 @@
 // AVBOIT's transmittance in front of a fragment: the integral, filtered bilinearly across cells and by kSampling along the ray.
 // Biased samplings (the talk) read the transmittance `bias` slices in front of the fragment, so that it does not occlude itself,
 // and so miss what stands in those slices. Self-excluded sampling reads the optical depth at the fragment and takes out the
-// fragment's own share, which it knows from its own optical depth and place in its slice.
+// fragment's own share, which it knows from its own optical depth and place in its slice. It also tells how far it is in doubt.
 #ifndef PLUME_AVBOIT_TRANSMITTANCE_GLSL
 #define PLUME_AVBOIT_TRANSMITTANCE_GLSL
 #include "methods/avboit/depth_warp.glsl"
@@ -84,6 +84,15 @@ vec3 layers_in_front(uvec2 pixel, float depth, uint id, vec3 own, out bool estim
   return estimated ? t * tail_transmittance(tails[first], depth, own) : t;
 }
 
+// From the middle of the outermost cells to the picture's border values go on as they came: what they would be in a cell beyond is as
+// far from those of the outermost middle as those of its mirror image.
+mat3x2 nodes_to_the_border(vec2 uv, vec2 mirrored, uint slice) {
+  const mat3x2 inside = nodes_of(mirrored, slice);
+  if (mirrored == uv) return inside;
+  const mat3x2 beyond = 2.0 * nodes_of(0.5 * (uv + mirrored), slice) - inside;
+  return mat3x2(max(beyond[0], 0.0), max(beyond[1], 0.0), max(beyond[2], 0.0));
+}
+
 // Where along the ray the integral is read for a fragment whose place is p, both in slices. A slice's optical depth is spread over it, so
 // what was splatted linearly at p lies around p + 1/2.
 float reading_place(float p) {
@@ -91,26 +100,57 @@ float reading_place(float p) {
   return (kSampling == 0u ? floor(p) : p + 1.0) - volume.bias;
 }
 
+// Of the four cells around, a channel's nodes in front of the slice and behind it.
+mat2x4 cells_around(vec2 uv, uint slice, uint channel) {
+  const vec3 at = vec3(uv, float(slice));
+  if (kRgb == 0u) return mat2x4(textureGather(integral, at, 0), textureGather(integral, at, 1));
+  if (channel == 0u) return mat2x4(textureGather(integral_rg, at, 0), textureGather(integral_rg, at, 1));
+  if (channel == 1u) return mat2x4(textureGather(integral_rg, at, 2), textureGather(integral_rg, at, 3));
+  return mat2x4(textureGather(integral_b, at, 0), textureGather(integral_b, at, 1));
+}
+
+float least(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
+float most(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+
+// How far optical depth in front of a fragment may be off, a unit of what it is off by: between the cells around, for there an edge may
+// lie; of what shares the slice, for it may stand on either side; of all that is in front; and of nothing at all, since cells miss
+// things. Only their ratios matter. By measure: of 14 such sets these give the least errors over seven scenes and the hard cases.
+const float kAcrossCells = 0.5, kInSlice = 2.0, kInFront = 0.1, kMissedByCells = 0.005;
+
+struct Reading {
+  vec3 transmittance;
+  float doubt;   // 0: sure of it, 1: not at all
+};
+
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
-vec3 transmittance_at(vec2 pixel, float p, vec3 own) {
+Reading transmittance_at(vec2 pixel, float p, vec3 own) {
   const vec2 uv = pixel / vec2(volume.cells * volume.divisor);
   vec3 t;
+  float off = kMissedByCells;
   if (kSampling == 4u) {
     // Of the slice that is read, what is not the fragment's own cannot be less than nothing, where its cell saw less of it than the
-    // pixel.
+    // pixel; and where smoke ends, one cell sees more of it than the pixel does, and only what all cells see beside it is another's.
     const float g = fract(p), place = reading_place(p);
-    const float most = min(most_depth(kLaneBits), kFullSlice);   // of a share, as it was stored and summed
+    const float most_share = min(most_depth(kLaneBits), kFullSlice);   // of a share, as it was stored and summed
     const uint slice = min(uint(place), volume.slices - 1u);
     const float part = clamp(place - float(slice), 0.0, 1.0);
     const bool in_next = kLinear != 0u && g >= 0.5;   // its first share lies in the slice in front
-    const vec3 own_here = min(kLinear == 0u ? own : in_next ? own * g : own * (1.0 - g), most);
-    const vec3 own_before = in_next ? min(own * (1.0 - g), most) : vec3(0.0);
-    const mat3x2 here = nodes_of(uv, slice);
+    const vec3 own_here = min(kLinear == 0u ? own : in_next ? own * g : own * (1.0 - g), most_share);
+    const vec3 own_before = in_next ? min(own * (1.0 - g), most_share) : vec3(0.0);
+    const vec2 margin = 0.5 / vec2(volume.cells), mirrored = 2.0 * clamp(uv, margin, 1.0 - margin) - uv;
+    const mat3x2 here = nodes_to_the_border(uv, mirrored, slice);
     const vec3 before = vec3(here[0].x, here[1].x, here[2].x), behind = vec3(here[0].y, here[1].y, here[2].y);
-    t = exp(-max(before - own_before, 0.0) - part * max(behind - before - own_here, 0.0));
+    vec3 in_front = max(before - own_before, 0.0), in_slice = max(behind - before - own_here, 0.0);
+    for (uint c = 0u; c < (kRgb == 0u ? 1u : 3u); ++c) {
+      const mat2x4 cells = cells_around(mirrored, slice, c);
+      const vec4 cells_in_front = max(cells[0] - own_before[c], 0.0);
+      in_slice[c] = min(in_slice[c], least(max(cells[1] - cells[0] - own_here[c], 0.0)));
+      off = max(off, kMissedByCells + kAcrossCells * (most(cells_in_front) - least(cells_in_front)) + kInSlice * in_slice[c] + kInFront * in_front[c]);
+    }
+    t = exp(-in_front - part * in_slice);
   } else {
     t = value_at(uv, reading_place(p));
   }
-  return kRgb != 0u ? t : t.rrr;
+  return Reading(kRgb != 0u ? t : t.rrr, kSampling == 4u ? 1.0 - exp(-off) : 1.0);
 }
 #endif

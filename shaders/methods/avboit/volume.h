@@ -32,6 +32,7 @@ struct Volume {
   uint rgb_first;       // index of the first card whose extinction is kept for each channel
   uint cards;
   uint exact_layers;  // of a pixel, for sharp cards
+  float small_cells;  // half extent, in cells, below which a card is one of them
 };
 
 // What adaptation chose; a table of nodes follows it in the buffer.
