@@ -45,7 +45,7 @@ Share share_of_fragment() {
   if (kBehindLayers != 0u) {
     bool estimated;
     const vec3 layers_t = layers_in_front(min(uvec2(pixel), view.size - 1u), f.depth, f.id, kExact != 0u ? tail_depth(pack_layer(transmittance(f))) : vec3(0.0), estimated);
-    if (estimated) known = 0.0;
+    if (estimated && gray < 1.0) known = 0.0;   // a bare light is no part of the tail
     t *= kColour == kFullRgb ? layers_t : vec3(dot(layers_t, vec3(1.0 / 3.0)));
   }
   vec3 seen = f.color + f.emission;
