@@ -84,15 +84,6 @@ vec3 layers_in_front(uvec2 pixel, float depth, uint id, vec3 own, out bool estim
   return estimated ? t * tail_transmittance(tails[first], depth, own) : t;
 }
 
-// From the middle of the outermost cells to the picture's border values go on as they came: what they would be in a cell beyond is as
-// far from those of the outermost middle as those of its mirror image.
-mat3x2 nodes_to_the_border(vec2 uv, vec2 mirrored, uint slice) {
-  const mat3x2 inside = nodes_of(mirrored, slice);
-  if (mirrored == uv) return inside;
-  const mat3x2 beyond = 2.0 * nodes_of(0.5 * (uv + mirrored), slice) - inside;
-  return mat3x2(max(beyond[0], 0.0), max(beyond[1], 0.0), max(beyond[2], 0.0));
-}
-
 // Where along the ray the integral is read for a fragment whose place is p, both in slices. A slice's optical depth is spread over it, so
 // what was splatted linearly at p lies around p + 1/2.
 float reading_place(float p) {
@@ -100,9 +91,21 @@ float reading_place(float p) {
   return (kSampling == 0u ? floor(p) : p + 1.0) - volume.bias;
 }
 
-// Of the four cells around, a channel's nodes in front of the slice and behind it.
-mat2x4 cells_around(vec2 uv, uint slice, uint channel) {
-  const vec3 at = vec3(uv, float(slice));
+// The four cells around a pixel, and its weights of them. From the middle of the outermost cells to the picture's border values go on
+// as they came.
+struct Around {
+  vec2 uv;        // where all four meet
+  vec4 weights;   // in the order of textureGather
+};
+
+Around cells_around(vec2 pixel) {
+  const vec2 at = pixel / float(volume.divisor) - 0.5, first = clamp(floor(at), vec2(0.0), max(vec2(volume.cells) - 2.0, 0.0)), part = at - first;
+  return Around((first + 1.0) / vec2(volume.cells), vec4((1.0 - part.x) * part.y, part.x * part.y, part.x * (1.0 - part.y), (1.0 - part.x) * (1.0 - part.y)));
+}
+
+// A channel's nodes in front of the slice and behind it, in each.
+mat2x4 nodes_around(Around cells, uint slice, uint channel) {
+  const vec3 at = vec3(cells.uv, float(slice));
   if (kRgb == 0u) return mat2x4(textureGather(integral, at, 0), textureGather(integral, at, 1));
   if (channel == 0u) return mat2x4(textureGather(integral_rg, at, 0), textureGather(integral_rg, at, 1));
   if (channel == 1u) return mat2x4(textureGather(integral_rg, at, 2), textureGather(integral_rg, at, 3));
@@ -124,7 +127,6 @@ struct Reading {
 
 // `own` is the optical depth of the fragment itself, `p` its place along the ray in slices.
 Reading transmittance_at(vec2 pixel, float p, vec3 own) {
-  const vec2 uv = pixel / vec2(volume.cells * volume.divisor);
   vec3 t;
   float off = kMissedByCells;
   if (kSampling == 4u) {
@@ -137,19 +139,18 @@ Reading transmittance_at(vec2 pixel, float p, vec3 own) {
     const bool in_next = kLinear != 0u && g >= 0.5;   // its first share lies in the slice in front
     const vec3 own_here = min(kLinear == 0u ? own : in_next ? own * g : own * (1.0 - g), most_share);
     const vec3 own_before = in_next ? min(own * (1.0 - g), most_share) : vec3(0.0);
-    const vec2 margin = 0.5 / vec2(volume.cells), mirrored = 2.0 * clamp(uv, margin, 1.0 - margin) - uv;
-    const mat3x2 here = nodes_to_the_border(uv, mirrored, slice);
-    const vec3 before = vec3(here[0].x, here[1].x, here[2].x), behind = vec3(here[0].y, here[1].y, here[2].y);
-    vec3 in_front = max(before - own_before, 0.0), in_slice = max(behind - before - own_here, 0.0);
+    const Around cells = cells_around(pixel);
+    vec3 in_front = vec3(0.0), in_slice = vec3(0.0);
     for (uint c = 0u; c < (kRgb == 0u ? 1u : 3u); ++c) {
-      const mat2x4 cells = cells_around(mirrored, slice, c);
-      const vec4 cells_in_front = max(cells[0] - own_before[c], 0.0);
-      in_slice[c] = min(in_slice[c], least(max(cells[1] - cells[0] - own_here[c], 0.0)));
-      off = max(off, kMissedByCells + kAcrossCells * (most(cells_in_front) - least(cells_in_front)) + kInSlice * in_slice[c] + kInFront * in_front[c]);
+      const mat2x4 nodes = nodes_around(cells, slice, c);
+      const vec4 each_in_front = max(nodes[0] - own_before[c], 0.0);
+      in_front[c] = max(dot(cells.weights, nodes[0]) - own_before[c], 0.0);
+      in_slice[c] = min(max(dot(cells.weights, nodes[1] - nodes[0]) - own_here[c], 0.0), least(max(nodes[1] - nodes[0] - own_here[c], 0.0)));
+      off = max(off, kMissedByCells + kAcrossCells * (most(each_in_front) - least(each_in_front)) + kInSlice * in_slice[c] + kInFront * in_front[c]);
     }
     t = exp(-in_front - part * in_slice);
   } else {
-    t = value_at(uv, reading_place(p));
+    t = value_at(pixel / vec2(volume.cells * volume.divisor), reading_place(p));
   }
   return Reading(kRgb != 0u ? t : t.rrr, kSampling == 4u ? 1.0 - exp(-off) : 1.0);
 }
