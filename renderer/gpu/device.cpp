@@ -292,8 +292,10 @@ void Device::create_device() {
     wanted.pNext = std::exchange(features13.pNext, &wanted);
     return true;
   };
-  has_float_atomics_ = with_extension(kOptionalExtensions[0], kFloatAtomicFeatures, float_atomics);
-  has_fragment_interlock_ = with_extension(kOptionalExtensions[1], kInterlockFeatures, interlock);
+  has_float_atomics_ =
+      with_extension(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME, kFloatAtomicFeatures, float_atomics);
+  has_fragment_interlock_ =
+      with_extension(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, kInterlockFeatures, interlock);
 
   for (const auto& [name, member, least] : kLimits)
     if (const uint32_t has = takes_away(options_.fault, name) ? 0 : limits_.*member; has < least)
