@@ -81,18 +81,22 @@ TEST_F(AvboitDeterministic, ThePictureIsTheSameBitsInEveryOrderOfDraws) {
 }
 
 TEST_F(AvboitDeterministic, ThePictureIsThatOfFloatsButForRounding) {
-  for (const char* half : {"false", "true"}) {
-    clear_cards();
-    add_everything();
-    std::map<std::string, std::string> settings{{"accumulation", "32f"}, {"half_particles", half}};
-    const auto floats = draw_cards("avboit", settings).linear.pixels;
-    settings["accumulation"] = "deterministic";
-    const auto integers = draw_cards("avboit", settings).linear.pixels;
-    // The picture is half floats: a step of them, of what may be 40 bright.
-    for (size_t i = 0; i < floats.size(); ++i)
-      for (int c = 0; c < 3; ++c)
-        ASSERT_NEAR(floats[i][c], integers[i][c], 2e-3f * std::max(1.0f, floats[i][c])) << "pixel " << i;
-  }
+  for (const char* half : {"false", "true"})
+    for (const char* colour : {"rgb", "first_event", "skew", "total_extinction", "mono"})
+      for (const char* doubt : {"false", "true"}) {
+        SCOPED_TRACE(testing::Message() << "half " << half << ", " << colour << ", doubt " << doubt);
+        clear_cards();
+        add_everything();
+        std::map<std::string, std::string> settings{
+            {"accumulation", "32f"}, {"half_particles", half}, {"colour", colour}, {"weigh_doubt", doubt}};
+        const auto floats = draw_cards("avboit", settings).linear.pixels;
+        settings["accumulation"] = "deterministic";
+        const auto integers = draw_cards("avboit", settings).linear.pixels;
+        // The picture is half floats: a step of them, of what may be 40 bright.
+        for (size_t i = 0; i < floats.size(); ++i)
+          for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(floats[i][c], integers[i][c], 2e-3f * std::max(1.0f, floats[i][c])) << "pixel " << i;
+      }
 }
 
 TEST_F(AvboitDeterministic, OpaqueCardsLetNothingThrough) {
