@@ -20,7 +20,9 @@ class Avboit final : public Method {
                                          : "Drobot, SIGGRAPH 2025 Advances in Real-Time Rendering, VBOIT",
             .transmission = "RGB; `colour` selects cheaper modes",
             .emission = "exact where nothing covers; else scaled as the coverage is",
-            .limits = "events within a slice of each other mix; silhouettes are as coarse as a cell",
+            .limits =
+                "events within a slice of each other mix; edges of large smoke before other edges are as "
+                "coarse as a cell",
             .street_rmse = settings_.adaptive ? 0.025 : 0.03};
   }
   std::vector<std::string> missing(const gpu::Device& device) const override {

@@ -1,8 +1,8 @@
 // AVBOIT, draw: what a fragment adds to the sums of its pixel, weighted by the transmittance T(z) in front of it.
 //   light:   rgb sum (C a + E) T     a: prod(1 - a) of what does not tint
 //   norm:    sum a T                 what the fraction in resolve divides by; a sum for each channel behind RGB sources
-//   known_light (a: known_norm where one channel is enough), known_norm:  the part of light and norm that is not in doubt (kDoubt), or else, of exact cards only, the share that T
-//            lets through, since what the layers say is sure. Shining without covering is in doubt as its weight is
+//   known_light, known_norm:  the part of light and norm that is not in doubt (kDoubt), or else, of exact cards only, the share that T
+//            lets through, since what the layers say is sure. Where one channel is enough, known_light.a is known_norm
 //   through: rgb prod t, a: prod(mean t), of what tints
 // Chromaticity skew (kSkew): optical depth of each channel counts as far as the fragment is seen, mix(gray, rgb, T(z)), so that
 // glass in thick smoke does not tint what lies before it.
