@@ -97,6 +97,7 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
         *target.image,
         target.clear ? std::optional(vk::ClearValue{.color = {.float32 = *target.clear}}) : std::nullopt));
   }
+  if (colors.empty()) colors.emplace_back();  // as its pipeline says it
   const Pipeline& pipeline = pipelines_.graphics(desc);
   vk::RenderingAttachmentInfo depth;
   if (draw.depth)

@@ -219,6 +219,12 @@ Pipeline Pipelines::make_graphics(const GraphicsDesc& desc) {
     blends.push_back(blend_state(target.blend));
     formats.push_back(target.format);
   }
+  // None is said as one of no format: after a pipeline of no attachments lavapipe of Mesa 25.0 blends all
+  // targets of later ones as the first of them, to the end of the submission.
+  if (formats.empty()) {
+    formats.push_back(vk::Format::eUndefined);
+    blends.emplace_back();
+  }
   const vk::PipelineColorBlendStateCreateInfo blend{.attachmentCount = uint32_t(blends.size()),
                                                     .pAttachments = blends.data()};
   const vk::DynamicState dynamic_states[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
