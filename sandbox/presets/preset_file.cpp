@@ -58,6 +58,7 @@ Reading read_once(const std::filesystem::path& path) {
   const bool was_at_rest = age(before.at) > kSettled;
   now.text.resize(kMaxFileBytes + 1);  // one byte more than allowed tells a file that is too long
   now.text.resize(std::fread(now.text.data(), 1, now.text.size(), file.get()));
+  now.text.shrink_to_fit();  // documents keep their text
   if (std::ferror(file.get()) || ::fstat(::fileno(file.get()), &now.at) != 0)
     fail(path, "cannot be read, expected a TOML file you may read");
   // A pipe is read but once. Of a file that is being emptied, the size may change before the time does.

@@ -229,5 +229,12 @@ TEST(LoadText, KeepsOneByteMoreThanIsAllowed) {
   std::filesystem::remove(path);
 }
 
+TEST(LoadText, TakesNoMoreMemoryThanTheFileHasBytes) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "plume_small.toml";
+  std::ofstream(path) << std::string(100, '#');
+  EXPECT_LT(load_text(path).capacity(), 200u);
+  std::filesystem::remove(path);
+}
+
 }  // namespace
 }  // namespace plume
