@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "renderer/gpu/errors.h"
 
@@ -111,8 +112,9 @@ const Pipeline& Pipelines::find_or_make(std::string key, const std::string& shad
               .first->second.pipeline;
 }
 
-void Pipelines::drop_oldest() {
-  while (pipelines_.size() > most_)
+void Pipelines::keep_only(size_t most) {
+  assert(uses_ == 0);
+  while (pipelines_.size() > most)
     pipelines_.erase(
         std::ranges::min_element(pipelines_, {}, [](const auto& known) { return known.second.last_asked; }));
 }

@@ -79,7 +79,7 @@ class Pipelines {
    public:
     explicit Use(Pipelines& pipelines) : pipelines_(pipelines) { ++pipelines_.uses_; }
     ~Use() {
-      if (--pipelines_.uses_ == 0) pipelines_.drop_oldest();
+      if (--pipelines_.uses_ == 0) pipelines_.keep_only(pipelines_.most_);
     }
     Use(const Use&) = delete;
 
@@ -93,6 +93,8 @@ class Pipelines {
   /// Makes every pipeline anew from the shaders as they are now. A failure throws ShaderError and keeps the
   /// old ones.
   void reload();
+  /// Drops those that were asked for longest ago until `most` are left, while no Use lives.
+  void keep_only(size_t most);
   size_t count() const { return pipelines_.size(); }
   /// So many were made since the beginning, reloads aside.
   uint64_t made() const { return made_; }
@@ -118,7 +120,6 @@ class Pipelines {
     std::unique_ptr<Pipeline> pipeline;
     uint64_t last_asked;  ///< of all questions, the number of the last one for it
   };
-  void drop_oldest();
   const Pipeline& find_or_make(std::string key, const std::string& shader, std::function<Pipeline()> make);
 
   Device& device_;
