@@ -83,7 +83,7 @@ StressCase silhouettes() {
       .trouble = "what is kept for a cell of 8 pixels is of its middle, and edges are pixels wide",
       .against = Against::kExact,
       .pictures = {}};
-  const glm::uvec2 size(66, 50);
+  const glm::uvec2 size(98, 74);
   const double pixel = 2 * std::tan(glm::radians(25.0)) / size.y;  // at a depth of 1 m
   for (const auto& [name, behind] : {std::pair("near", 5.5), {"far", 200.0}})
     for (int at = 0; at < 64; ++at) {
@@ -92,7 +92,7 @@ StressCase silhouettes() {
           .background = {0.9f, 0.5f, 0.1f},
           .solids = {},
           .puffs = true};
-      scene.cards[0].half_size = glm::vec2(2.3f);  // more than what avboit takes for small
+      scene.cards[0].half_size = glm::vec2(2.6f);  // more than what avboit takes for small
       scene.cards[0].at = 5.0f * float(pixel) * glm::vec2(at % 8, at / 8);
       scene.cards[1].half_size = glm::vec2(4.0f * float(behind));
       Solid wall;

@@ -36,7 +36,7 @@ struct Settings {
   bool cull_opaque = false;
   bool half_particles = false;
   int exact_layers = 2;  ///< index into kExactLayers
-  float small_cells = 3.0f;
+  float small_cells = 4.0f;
 
   void visit(ParameterVisitor& visitor);
 
