@@ -17,7 +17,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/printable.h"
 
 namespace plume {
 namespace {

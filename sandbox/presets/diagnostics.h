@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace plume {
@@ -21,9 +20,6 @@ struct Diagnostic {
 
 /// `file:line:column: message`, the form editors jump to.
 std::string to_string(const Diagnostic& diagnostic);
-
-/// Text a user wrote, safe to show on one line, cut off behind `longest` bytes.
-std::string printable(std::string_view text, size_t longest = 60);
 
 /// Everything that is wrong in one file; what() is one diagnostic a line.
 class FileErrors : public std::runtime_error {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "sandbox/presets/diagnostics.h"
+#include "sandbox/presets/printable.h"
 #include "sandbox/presets/table_reader.h"
 #include "sandbox/presets/toml_guard.h"
 

@@ -8,6 +8,7 @@
 #include "renderer/parameters.h"
 #include "sandbox/effects/spawn_schedule.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/printable.h"
 #include "sandbox/presets/read_motion.h"
 #include "sandbox/presets/read_parent.h"
 #include "sandbox/presets/table_reader.h"

@@ -7,6 +7,7 @@
 
 #include "sandbox/presets/diagnostics.h"
 #include "sandbox/presets/preset_file.h"
+#include "sandbox/presets/printable.h"
 
 namespace plume {
 namespace {
@@ -32,7 +33,7 @@ class NumberReader {
     // Written so that NaN fails too.
     const bool fits = value >= limits.min && value <= limits.max && (!whole || value == std::floor(value));
     if (error != std::errc() || stop != word.data() + word.size() || !fits)
-      fail(fmt::format("\"{}\" is no such number", printable(word)), expected());
+      fail(fmt::format("\"{}\" is no such number", printable(word, 20)), expected());
     at_ = end;
     return value;
   }
@@ -60,11 +61,6 @@ class NumberReader {
 
  private:
   void skip_separators() { at_ = std::min(text_.find_first_not_of(", \t\r\n", at_), text_.size()); }
-  static std::string printable(std::string_view word) {
-    std::string shown;
-    for (const char c : word.substr(0, 20)) shown += c > 0x20 && c < 0x7F ? c : '?';
-    return shown;
-  }
 
   std::string_view text_;
   const std::string& file_;

@@ -10,6 +10,7 @@
 #include "renderer/parameters.h"
 #include "sandbox/measure/inspector.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/printable.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/presets/read_sweep.h"
 #include "sandbox/presets/read_ticks.h"

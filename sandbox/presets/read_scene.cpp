@@ -13,6 +13,7 @@
 #include "sandbox/effects/lineage.h"
 #include "sandbox/effects/spawn_schedule.h"
 #include "sandbox/presets/library.h"
+#include "sandbox/presets/printable.h"
 #include "sandbox/presets/read_effect.h"
 #include "sandbox/presets/table_reader.h"
 #include "sandbox/scene/figure.h"

@@ -9,6 +9,7 @@
 
 #include "renderer/methods/methods.h"
 #include "renderer/parameters.h"
+#include "sandbox/presets/printable.h"
 #include "sandbox/presets/read_scene.h"
 #include "sandbox/presets/read_ticks.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/parameters.h"
+#include "sandbox/presets/printable.h"
 #include "sandbox/presets/value_path.h"
 
 namespace plume {
