@@ -19,11 +19,13 @@ const vk::MemoryBarrier2 kFullBarrier{
     .dstStageMask = vk::PipelineStageFlagBits2::eAllCommands,
     .dstAccessMask = vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite};
 
-vk::RenderingAttachmentInfo attachment(const Image& image, const std::optional<vk::ClearValue>& clear) {
+/// What is not written is not stored either: storing counts as a write, beside shaders that read the image.
+vk::RenderingAttachmentInfo attachment(const Image& image, const std::optional<vk::ClearValue>& clear,
+                                       bool writes = true) {
   return {.imageView = image.view(),
           .imageLayout = vk::ImageLayout::eGeneral,
           .loadOp = clear ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
-          .storeOp = vk::AttachmentStoreOp::eStore,
+          .storeOp = writes ? vk::AttachmentStoreOp::eStore : vk::AttachmentStoreOp::eNone,
           .clearValue = clear.value_or(vk::ClearValue{})};
 }
 
@@ -101,9 +103,10 @@ void Pass::draw_raw(const Draw& draw, std::span<const std::byte> push) {
   const Pipeline& pipeline = pipelines_.graphics(desc);
   vk::RenderingAttachmentInfo depth;
   if (draw.depth)
-    depth = attachment(*draw.depth, draw.clear_depth
-                                        ? std::optional(vk::ClearValue{.depthStencil = {.depth = 0.0f}})
-                                        : std::nullopt);
+    depth = attachment(
+        *draw.depth,
+        draw.clear_depth ? std::optional(vk::ClearValue{.depthStencil = {.depth = 0.0f}}) : std::nullopt,
+        draw.clear_depth || draw.depth_use == DepthUse::kTestAndWrite || draw.depth_use == DepthUse::kWrite);
   const vk::Rect2D area{.extent = {draw.area.width, draw.area.height}};
   commands_.beginRendering({.renderArea = area,
                             .layerCount = draw.targets.empty() ? 1u : draw.targets.front().image->layers(),
