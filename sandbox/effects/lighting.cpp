@@ -175,7 +175,8 @@ void Lighting::record_volumes(gpu::Frame& frame, const gpu::Buffer& view) const 
                     {{"Bodies", &bodies_}, {"Grids", &grids_}, {"Cells", &cells_[g]}},
                     SplatPush{.count = count_, .which = g}, {gpu::groups(count_, kGroupSize), 1, 1});
     pass.barrier();
-    for (uint32_t g = 0; g < shared::kLightGrids; ++g) {
+    // The larger grid last: GPU-assisted validation (layers 1.4.309) holds both to the buffer pushed last.
+    for (uint32_t g = shared::kLightGrids; g-- > 0;) {
       const uint32_t rays = gpu::groups(cells_each_way_[g], 8);
       pass.dispatch(pass.pipelines().compute("effects/light_integrate.comp"),
                     {{"Grids", &grids_}, {"Cells", &cells_[g]}, {"volume", &volumes_[g]}}, g,
