@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a clean clone to a measured comparison: installs what is missing, builds, compares one method of each family on the default scene
+# From a clean clone to a measured comparison: installs what is missing, builds, compares nine methods on the default scene
 # (all of them, `--methods all`, take more than a minute on two cores: peeling draws everything once for each layer).
 # Arguments go to `plume compare` instead of the default ones.
 set -euo pipefail

@@ -9,12 +9,13 @@
 #include "sandbox/effects/puff_textures.h"
 #include "sandbox/scene/view.h"
 #include "shaders/effects/puff.h"
+#include "shaders/methods/tile_sorted/tile_sorted.h"
 
 namespace plume {
 namespace {
 
 constexpr uint32_t kTextureSeed = 1;
-constexpr uint64_t kMostBytesOfACard = 144;  // that a method keeps in one buffer
+constexpr uint64_t kMostBytesOfACard = sizeof(shared::TileCard);  // that a method keeps in one buffer
 
 glm::uvec2 pack_half4(glm::vec3 v) {
   return {glm::packHalf2x16({v.x, v.y}), glm::packHalf2x16({v.z, 0.0f})};
