@@ -27,6 +27,9 @@ struct FeatureName {
 // missing.
 constexpr FeatureName<vk::PhysicalDeviceFeatures> kCoreFeatures[] = {
     PLUME_FEATURE(PhysicalDeviceFeatures, fragmentStoresAndAtomics),
+    // Of quads that reach over the picture's border, fragments outside are run too and read beside what is
+    // kept for each pixel.
+    PLUME_FEATURE(PhysicalDeviceFeatures, robustBufferAccess),
     PLUME_FEATURE(PhysicalDeviceFeatures, independentBlend),
     PLUME_FEATURE(PhysicalDeviceFeatures, dualSrcBlend),
     PLUME_FEATURE(PhysicalDeviceFeatures, occlusionQueryPrecise),
