@@ -2,6 +2,7 @@
 // tail. Which those are depends on the order of draws.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "surface/pixel.glsl"
 #include "surface/shade.glsl"
 #include "methods/abuffer/layers.glsl"
 #include "methods/parts/weighted/weighted.glsl"
@@ -13,7 +14,7 @@ void main() {
   const vec3 t = kRgb != 0u ? transmittance(f) : vec3(1.0 - gray_coverage(f));
   const Stored stored = encode(f.color + f.emission, t, f.depth, f.id);
   if (changes_nothing(decode(stored))) discard;
-  const uint pixel = uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x);
+  const uint pixel = pixel_index(view.size);
   const uint layer = atomicAdd(counters[pixel], 1u);
   if (layer < kLayers) {
     const uint place = layer * view.size.x * view.size.y + pixel;

@@ -2,6 +2,7 @@
 // was stored, whoever pushed it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "surface/pixel.glsl"
 #include "surface/shade.glsl"
 #include "methods/abuffer/nearest.glsl"
 #include "methods/parts/weighted/weighted.glsl"
@@ -12,7 +13,7 @@ void main() {
   const Fragment f = shade();
   const Stored stored = encode(f.color + f.emission, vec3(1.0 - gray_coverage(f)), f.depth, f.id);
   if (changes_nothing(decode(stored))) discard;
-  const uint pixel = uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x);
+  const uint pixel = pixel_index(view.size);
   const uvec2 out_key = insert_nearest(pixel, view.size.x * view.size.y, stored.key);
   if (is_free(out_key)) discard;
   atomicAdd(counters[pixel], 1u);

@@ -1,6 +1,7 @@
 // Bounded A-buffer with a transmittance for each channel, first draw: which cards are the nearest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "surface/pixel.glsl"
 #include "surface/shade.glsl"
 #include "methods/abuffer/nearest.glsl"
 
@@ -10,5 +11,5 @@ void main() {
   const Fragment f = shade();
   const Stored stored = encode(f.color + f.emission, transmittance(f), f.depth, f.id);
   if (changes_nothing(decode(stored))) return;
-  insert_nearest(uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x), view.size.x * view.size.y, stored.key);
+  insert_nearest(pixel_index(view.size), view.size.x * view.size.y, stored.key);
 }

@@ -2,6 +2,7 @@
 // other joins the tail.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "surface/pixel.glsl"
 #include "surface/shade.glsl"
 #include "methods/abuffer/layers.glsl"
 #include "methods/parts/weighted/weighted.glsl"
@@ -12,7 +13,7 @@ void main() {
   const Fragment f = shade();
   const Stored stored = encode(f.color + f.emission, transmittance(f), f.depth, f.id);
   if (changes_nothing(decode(stored))) discard;
-  const uint pixels = view.size.x * view.size.y, pixel = uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x);
+  const uint pixels = view.size.x * view.size.y, pixel = pixel_index(view.size);
   Words keys = Words(bounded.keys);
   if (stored.key.y <= keys.words[(kLayers - 1u) * pixels + pixel].y)
     for (uint k = 0u; k < kLayers; ++k)

@@ -13,7 +13,7 @@ layout(location = 0) out vec4 light;
 void main() {
   Fragment f;
   if (!shade_seen(f)) discard;
-  const uint pixel = pixel_index();
+  const uint pixel = pixel_index(view.size);
   const vec3 seen = visibility(node_key(f.depth, f.id), turns[pixel], pixel, view.size.x * view.size.y);
   light = vec4((f.color + f.emission) * seen, 0.0);
 }

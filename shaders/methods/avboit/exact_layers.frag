@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #extension GL_EXT_shader_atomic_int64 : require
+#include "surface/pixel.glsl"
 #include "surface/shade.glsl"
 #include "methods/avboit/exact_layers.h"
 #include "methods/avboit/volume.h"
@@ -30,7 +31,7 @@ void main() {
   if (coverage <= 0.0) return;
   const vec3 through = 1.0 - coverage * (1.0 - v_transmission.rgb);
   uint64_t key = uint64_t(layer_place(v_uv_depth.z, v_layers_id.z)) << 32 | uint64_t(pack_layer(through));
-  const uint pixels = view.size.x * view.size.y, pixel = uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x);
+  const uint pixels = view.size.x * view.size.y, pixel = pixel_index(view.size);
   for (uint k = 0u; k < kLayers; ++k) {
     const uint64_t old = atomicMin(layers[k * pixels + pixel], key);
     key = max(old, key);

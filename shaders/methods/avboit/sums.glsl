@@ -10,9 +10,11 @@
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Sums { int64_t at[]; };   // [pixel][kSums]
 layout(scalar, binding = 16) readonly buffer SumsAddress { uvec2 sums_address; };
 
-// Pixels at half the resolution follow the others.
+// Pixels at half the resolution follow the others. Fragments beyond the border, run as members of a quad, get one inside: addresses are
+// not held to their buffer.
 uint first_sum(uvec2 at, uvec2 size, uint scale) {
-  const uint pixel = at.y * ((size.x + scale - 1u) / scale) + at.x;
+  const uvec2 all = (size + scale - 1u) / scale, inside = min(at, all - 1u);
+  const uint pixel = inside.y * all.x + inside.x;
   return (pixel + (scale > 1u ? size.x * size.y : 0u)) * kSums;
 }
 

@@ -13,7 +13,7 @@ layout(constant_id = 0) const uint kNodes = 8u;
 void main() {
   Fragment f;
   if (!shade_seen(f)) return;
-  const uint pixels = view.size.x * view.size.y, pixel = pixel_index();
+  const uint pixels = view.size.x * view.size.y, pixel = pixel_index(view.size);
   OrderedKeys keys = OrderedKeys(arrays.keys);
   uint64_t key = ordered_key(f);
   // Slots only ever shrink: what is behind the last one now stays behind it.

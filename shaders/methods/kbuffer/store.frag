@@ -13,7 +13,7 @@ layout(constant_id = 0) const uint kNodes = 8u;
 void main() {
   Fragment f;
   if (!shade_seen(f)) discard;
-  const uint pixels = view.size.x * view.size.y, pixel = pixel_index();
+  const uint pixels = view.size.x * view.size.y, pixel = pixel_index(view.size);
   const uint64_t key = ordered_key(f);
   OrderedKeys keys = OrderedKeys(arrays.keys);
   uint low = 0u, high = kNodes - 1u;   // the first slot that is not nearer lies in between, unless all are

@@ -27,7 +27,11 @@ vec2 scene_range() {
 }
 
 uvec2 cells() { return (view.size + kDivisor - 1u) / kDivisor; }
-uint cell_index(uvec2 cell) { return cell.y * cells().x + cell.x; }
+// Fragments beyond the border, run as members of a quad, get one inside: coefficients are read by address, not held to their buffer.
+uint cell_index(uvec2 cell) {
+  const uvec2 all = cells(), inside = min(cell, all - 1u);
+  return inside.y * all.x + inside.x;
+}
 
 // A cell's range as it is kept: so that both come from atomicMax on zeros, the nearest is complemented. Bits of positive floats are
 // ordered as they are.

@@ -6,7 +6,7 @@
 
 void interlocked_turn(bool wanted, Fragment f) {
   if (!wanted) return;
-  const uint pixel = pixel_index(), before = turns[pixel];
+  const uint pixel = pixel_index(view.size), before = turns[pixel];
   take_turn(pixel, before, f);
   turns[pixel] = before + 1u;
 }

@@ -1,10 +1,9 @@
 // Fragments that change the picture, and the pixel they belong to.
 #ifndef PLUME_PIXEL_NODES_SEEN_GLSL
 #define PLUME_PIXEL_NODES_SEEN_GLSL
+#include "surface/pixel.glsl"
 
 layout(early_fragment_tests) in;
-
-uint pixel_index() { return uint(gl_FragCoord.y) * view.size.x + uint(gl_FragCoord.x); }
 
 // Without `discard`, so that what follows is reached by all.
 bool shade_seen(out Fragment f) {

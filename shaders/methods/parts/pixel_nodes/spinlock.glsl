@@ -9,7 +9,7 @@
 #include "methods/parts/pixel_nodes/turn.glsl"
 
 void wait_for_turn(bool wanted, Fragment f) {
-  const uint pixel = pixel_index();
+  const uint pixel = pixel_index(view.size);
   bool waiting = wanted && gl_SampleMaskIn[0] != 0;
   do {
     if (waiting) {
