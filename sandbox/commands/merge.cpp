@@ -22,7 +22,7 @@ void add_merge(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("merge", "joins the results of shards");
   command->add_option("DIR", flags->parts, "folders that runs with --shard wrote")->required();
   add_output_flags(*command, *flags, "Options");
-  command->get_option("--out")->required();
+  command->get_option("--out")->required()->default_str("");
   command->callback([flags, &run] { run = [flags] { return run_merge(*flags); }; });
 }
 
