@@ -8,7 +8,6 @@
 
 #include "sandbox/effects/puff_textures.h"
 #include "sandbox/scene/view.h"
-#include "shaders/effects/puff.h"
 #include "shaders/methods/tile_sorted/tile_sorted.h"
 
 namespace plume {
@@ -19,25 +18,6 @@ constexpr uint64_t kMostBytesOfACard = sizeof(shared::TileCard);  // that a meth
 
 glm::uvec2 pack_half4(glm::vec3 v) {
   return {glm::packHalf2x16({v.x, v.y}), glm::packHalf2x16({v.z, 0.0f})};
-}
-
-shared::Card card_of(const PlacedCard& c) {
-  const glm::vec3 along(std::cos(c.yaw), 0.0f, -std::sin(c.yaw));
-  const glm::vec3 upright(std::sin(c.yaw) * std::sin(c.pitch), std::cos(c.pitch),
-                          std::cos(c.yaw) * std::sin(c.pitch));
-  const uint32_t layer = c.sharp ? shared::kSolidLayer : shared::kSoftLayer;
-  return {.center = {c.at.x, c.at.y, float(-c.z)},
-          .optical_depth = c.optical_depth,
-          .axis_u = along * c.half_size.x,
-          .inv_feather = 0.0f,
-          .axis_v = upright * c.half_size.y,
-          .layers = layer | layer << shared::kLayerBits,
-          .sunlit = {0, 0},
-          .ambient = pack_half4(c.color),
-          .emission = pack_half4(c.emission),
-          .transmission = pack_half4(c.transmission),
-          .light = {0, 0},
-          .motion = {0, 0}};
 }
 
 shared::ViewData view_of(const CardScene& scene, glm::uvec2 size) {
@@ -64,84 +44,97 @@ void add_crowd(std::vector<shared::Card>& cards, uint32_t count, float fov_deg, 
   for (uint32_t i = 0; i < count; ++i) {
     const float z = between(2, 20);
     const glm::vec2 at = corner + float(kTile) * glm::vec2(between(0, 1), between(0, 1));
-    cards.push_back(card_of({.z = double(z),
-                             .optical_depth = between(0.1f, 0.6f),
-                             .color = {between(0, 1), between(0, 1), between(0, 1)},
-                             .half_size = glm::vec2(0.01f * pixel * z),
-                             .at = pixel * z * glm::vec2(at.x, -at.y),
-                             .sharp = false}));
+    cards.push_back(make_card({.z = double(z),
+                               .optical_depth = between(0.1f, 0.6f),
+                               .color = {between(0, 1), between(0, 1), between(0, 1)},
+                               .half_size = glm::vec2(0.01f * pixel * z),
+                               .at = pixel * z * glm::vec2(at.x, -at.y)}));
   }
 }
 
-struct Sorted {
-  std::vector<shared::Card> cards;  ///< at least one
-  uint32_t scalar = 0, rgb = 0;
-};
-
-/// By source, as transparents want them; `most` of them.
-Sorted by_source(const CardScene& scene, glm::uvec2 size, uint64_t most) {
-  Sorted sorted;
-  const auto add = [&](Source source) {
-    for (const PlacedCard& card : scene.cards)
-      if (source_of(card.transmission) == source) sorted.cards.push_back(card_of(card));
+/// `most` of them.
+PlacedCards by_source(const CardScene& scene, glm::uvec2 size, uint64_t most) {
+  PlacedCards cards;
+  const auto of = [&](Source source) -> auto& {
+    return cards.sources[size_t(source)];
   };
-  add(Source::kScalar);
-  add_crowd(sorted.cards, uint32_t(std::min<uint64_t>(scene.crowd, most - scene.cards.size())),
-            scene.vertical_fov_deg, size);
-  sorted.scalar = uint32_t(sorted.cards.size());
-  add(Source::kRgb);
-  sorted.rgb = uint32_t(sorted.cards.size()) - sorted.scalar;
-  if (sorted.cards.empty()) sorted.cards.push_back({});
-  return sorted;
-}
-
-std::vector<uint32_t> submission_of(const Sorted& sorted, uint32_t shuffle) {
-  std::vector<uint32_t> order(sorted.cards.size());
-  std::iota(order.begin(), order.end(), 0u);
-  if (shuffle == 0) return order;
-  std::mt19937 random(shuffle);
-  const auto mix = [&](size_t begin, size_t end) {
-    for (size_t i = end; i > begin + 1; --i) std::swap(order[i - 1], order[begin + random() % (i - begin)]);
-  };
-  mix(0, sorted.scalar), mix(sorted.scalar, sorted.scalar + sorted.rgb);
-  return order;
+  for (const PlacedCard& card : scene.cards) of(source_of(card.transmission)).push_back(make_card(card));
+  const size_t crowd = std::min<uint64_t>(scene.crowd, most - scene.cards.size());
+  add_crowd(of(Source::kScalar), uint32_t(crowd), scene.vertical_fov_deg, size);
+  if (scene.order == 0) return cards;
+  std::mt19937 random(scene.order);
+  for (const auto& source : cards.sources) {
+    const size_t begin = cards.order.size(), end = begin + source.size();
+    for (size_t i = begin; i < end; ++i) cards.order.push_back(uint32_t(i));
+    for (size_t i = end; i > begin + 1; --i)
+      std::swap(cards.order[i - 1], cards.order[begin + random() % (i - begin)]);
+  }
+  return cards;
 }
 
 }  // namespace
+
+shared::Card make_card(const PlacedCard& c) {
+  const glm::vec3 along(std::cos(c.yaw), 0.0f, -std::sin(c.yaw));
+  const glm::vec3 upright(std::sin(c.yaw) * std::sin(c.pitch), std::cos(c.pitch),
+                          std::cos(c.yaw) * std::sin(c.pitch));
+  return {.center = {c.at.x, c.at.y, float(-c.z)},
+          .optical_depth = c.optical_depth,
+          .axis_u = along * c.half_size.x,
+          .inv_feather = 0.0f,
+          .axis_v = upright * c.half_size.y,
+          .layers = c.layer | c.layer << shared::kLayerBits | (c.apart ? shared::kCardSetApart : 0u),
+          .sunlit = {0, 0},
+          .ambient = pack_half4(c.color),
+          .emission = pack_half4(c.emission),
+          .transmission = pack_half4(c.transmission),
+          .light = {0, 0},
+          .motion = {0, 0}};
+}
 
 float optical_depth_of(double coverage) {
   return coverage < 1.0 ? std::min(float(-std::log1p(-coverage)), shared::kOpaqueDepth)
                         : shared::kOpaqueDepth;
 }
 
-CardStage::CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const CardScene& scene, glm::uvec2 size)
-    : opaque_(device, scene.solids),
+CardStage::CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const std::vector<Solid>& solids,
+                     const shared::ViewData& view, PlacedCards cards)
+    : opaque_(device, solids),
       texture_(device, {.owner = "scene",
                         .label = "even density",
                         .format = vk::Format::eR8G8B8A8Unorm,
                         .extent = {2, 2, 1},
                         .layers = shared::kPuffLayers,
                         .usage = vk::ImageUsageFlagBits::eSampled}),
-      view_(gpu::make_buffer(device, "scene", "view", std::vector{view_of(scene, size)})),
+      view_(gpu::make_buffer(device, "scene", "view", std::vector{view})),
       seen_(device) {
-  const Sorted sorted = by_source(scene, size, pipelines.limits().maxStorageBufferRange / kMostBytesOfACard);
-  cards_ = gpu::make_buffer(device, "scene", "cards", sorted.cards);
-  order_ = gpu::make_buffer(device, "scene", "submission", submission_of(sorted, scene.order));
-  transparents_ = {.cards = &cards_,
-                   .puffs = &texture_,
-                   .view = &view_,
-                   .count = sorted.scalar + sorted.rgb,
-                   .counts = {sorted.scalar, 0u, sorted.rgb}};
-  seen_.fit(transparents_);
-  if (scene.puffs) {
-    texture_ = make_puff_textures(device, pipelines, kTextureSeed);
-    return;
+  std::vector<shared::Card> all;
+  for (size_t i = 0; i < kSources; ++i) {
+    transparents_.counts[i] = uint32_t(cards.sources[i].size());
+    all.insert(all.end(), cards.sources[i].begin(), cards.sources[i].end());
   }
+  const uint32_t count = uint32_t(all.size());
+  all.resize(std::max<size_t>(all.size(), 1));  // a buffer holds something
+  if (cards.order.empty()) {
+    cards.order.resize(all.size());
+    std::iota(cards.order.begin(), cards.order.end(), 0u);
+  }
+  cards_ = gpu::make_buffer(device, "scene", "cards", all);
+  order_ = gpu::make_buffer(device, "scene", "submission", cards.order);
+  transparents_.cards = &cards_, transparents_.puffs = &texture_, transparents_.view = &view_;
+  transparents_.count = count;
+  seen_.fit(transparents_);
   gpu::Frame frame(device, pipelines);
   frame.pass("even density", [&](gpu::Pass& pass) {  // 1, without a normal, open all round
     pass.clear(texture_, {85.0f / 255, 128.0f / 255, 128.0f / 255, 1.0f});
   });
   frame.finish();
+}
+
+CardStage::CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const CardScene& scene, glm::uvec2 size)
+    : CardStage(device, pipelines, scene.solids, view_of(scene, size),
+                by_source(scene, size, pipelines.limits().maxStorageBufferRange / kMostBytesOfACard)) {
+  if (scene.puffs) texture_ = make_puff_textures(device, pipelines, kTextureSeed);
 }
 
 Prelude CardStage::prelude() const {

@@ -3,12 +3,15 @@
 #ifndef PLUME_STRESS_CARD_STAGE_H
 #define PLUME_STRESS_CARD_STAGE_H
 
+#include <array>
 #include <vector>
 
 #include "renderer/frame.h"
 #include "renderer/seen_cards.h"
 #include "sandbox/scene/opaque.h"
+#include "shaders/effects/puff.h"
 #include "shaders/shared/card.h"
+#include "shaders/shared/view.h"
 
 namespace plume {
 
@@ -19,7 +22,15 @@ struct PlacedCard {
   glm::vec2 half_size{1e3f};  ///< m
   glm::vec2 at{0.0f};         ///< of its middle, m right and up
   float yaw = 0.0f, pitch = 0.0f;
-  bool sharp = true;  ///< as glass and discs are to methods that ask; smoke is not
+  uint32_t layer = shared::kSoftLayer;  ///< or kSolidLayer: sharp, as glass and discs are to methods that ask
+  bool apart = false;
+};
+
+shared::Card make_card(const PlacedCard& card);
+
+struct PlacedCards {
+  std::array<std::vector<shared::Card>, kSources> sources;
+  std::vector<uint32_t> order;  ///< of all cards, one source after the other; empty: as they are
 };
 
 /// The optical depth that covers so much; 1 is the largest there is.
@@ -39,11 +50,15 @@ struct CardScene {
 
 class CardStage {
  public:
+  /// Of cards as dense everywhere as in their middle.
+  CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const std::vector<Solid>& solids,
+            const shared::ViewData& view, PlacedCards cards);
   CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const CardScene& scene, glm::uvec2 size);
   CardStage(const CardStage&) = delete;  // transparents() points into it
 
   Prelude prelude() const;
   const Transparents& transparents() const { return transparents_; }
+  const gpu::Image& texture() const { return texture_; }
 
  private:
   OpaqueScene opaque_;

@@ -18,7 +18,7 @@ PlacedCard layer(double z, double coverage, glm::vec3 color, bool sharp) {
           .optical_depth = optical_depth_of(coverage),
           .color = color,
           .half_size = glm::vec2(float(10 * std::max(z, 0.1))),
-          .sharp = sharp};
+          .layer = sharp ? shared::kSolidLayer : shared::kSoftLayer};
 }
 
 std::vector<StressPicture> sharp_and_smooth(const std::string& name,

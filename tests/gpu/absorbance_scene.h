@@ -23,7 +23,7 @@ class AbsorbanceTest : public AvboitTest {
   Shot shoot(std::string_view id, const Map& settings) {
     const std::unique_ptr<World> w = world();
     Shot shot{.picture = {}, .method = instance(id, settings)};
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, shot.method);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), shot.method);
     shot.picture = read_picture(device, w->targets);
     return shot;
   }
@@ -33,7 +33,7 @@ class AbsorbanceTest : public AvboitTest {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance(id, settings);
     const Probe probe(device, pixel, depths);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
     return probe.read_answer(device);
   }
   /// sum C a w and sum a w, of each pixel.

@@ -27,7 +27,7 @@ class AbufferTest : public AvboitTest {
   Drawn draw_abuffer(const Map& settings) {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance("abuffer", settings);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
     return {read_picture(device, w->targets).linear.pixels,
             method.method->statistics(device, method.resources)};
   }

@@ -59,16 +59,16 @@ class AdaptiveTest : public AvboitTest {
   Drawn draw_adaptive(const Map& settings) {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance("adaptive", settings);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
     return {read_picture(device, w->targets).linear.pixels, {device, method.resources}};
   }
   /// Cards that cross each other, so that every pixel has its own order.
   void add_stack(int count, double thinnest, double thickest) {
     clear_cards();
     for (int i = 0; i < count; ++i) {
-      SmallCard card{.z = random.f(2, 20),
-                     .optical_depth = float(random.octaves(thinnest, thickest)),
-                     .color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)}};
+      PlacedCard card{.z = random.f(2, 20),
+                      .optical_depth = float(random.octaves(thinnest, thickest)),
+                      .color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)}};
       if (i % 3 == 0) card.transmission = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
       if (i % 5 == 0) card.emission = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
       if (i % 2 == 0) card.yaw = random.f(-0.5, 0.5), card.pitch = random.f(-0.5, 0.5);
@@ -154,7 +154,7 @@ TEST_F(AdaptiveTest, MoreNodesBringItNearer) {
 TEST_F(AdaptiveTest, TheBackgroundIsSeenExactlyWhateverIsRemoved) {
   glm::dvec3 through(1.0);
   for (int i = 0; i < 30; ++i) {
-    SmallCard card{.z = random.f(2, 20), .optical_depth = random.f(0.01, 0.2)};
+    PlacedCard card{.z = random.f(2, 20), .optical_depth = random.f(0.01, 0.2)};
     if (i % 2 == 0) card.transmission = {0.9f, 0.5f, 0.1f};
     add(card);
     through *= 1.0 - (1 - std::exp(-double(card.optical_depth))) * (1.0 - glm::dvec3(card.transmission));
@@ -174,7 +174,7 @@ TEST_F(AdaptiveTest, NeverOverestimatesVisibility) {
     for (int i = 0; i < 64; ++i) depths.push_back(1.5f + float(i) * 0.35f);
     const Probe probe(device, {11, 7}, depths);
     const auto told = [&](MethodInstance& method) {
-      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
       return probe.read_answer(device);
     };
     const auto approximate = told(adaptive), right = told(exact);

@@ -118,7 +118,7 @@ class AvboitCoverage : public AvboitTest {
 TEST_F(AvboitCoverage, IsTheSlicesBetweenACardsBounds) {
   Random random(2);
   const Volume fine = volume_of(128, 8192), coarse = volume_of(128, 1024, 6.5f, 60.0f);
-  std::vector<SmallCard> tried{
+  std::vector<PlacedCard> tried{
       {.z = 5, .half_size = {1, 1}},                                   // faces the camera: one slice
       {.z = 0.05f, .half_size = {1, 1}},                               // in front of the near plane
       {.z = 0.3f, .half_size = {1, 1}, .yaw = 1.5f},                   // crosses it
@@ -143,7 +143,7 @@ TEST_F(AvboitCoverage, IsTheSlicesBetweenACardsBounds) {
                      .apart = i % 5 == 0});
   size_t seen = 0;
   for (const Volume& v : {fine, coarse})
-    for (const SmallCard& c : tried) {
+    for (const PlacedCard& c : tried) {
       const Card card = make_card(c);
       const CardBounds b = bounds_of(card, view());
       seen += b.seen;

@@ -56,14 +56,14 @@ class AvboitExactLayers : public AvboitTest {
     return color;
   }
   void add_sharp(float z, float optical_depth, glm::vec3 color) {
-    SmallCard card;
+    PlacedCard card;
     card.z = z;
     card.optical_depth = optical_depth;
     card.color = color;
     card.layer = shared::kSolidLayer;
     add(card);
   }
-  SmallCard random_sharp() {
+  PlacedCard random_sharp() {
     return {.optical_depth = float(random.octaves(0.06, 6)),
             .transmission = random.one_in(2) ? glm::vec3(0.0f)
                                              : glm::vec3(random.f(0, 1), random.f(0, 1), random.f(0, 1)),
@@ -147,7 +147,7 @@ TEST_F(AvboitExactLayers, AreTheNearestFragmentsOfAPixel) {
   for (settings.exact_layers = 1; settings.exact_layers <= 3; ++settings.exact_layers) {
     clear_cards();
     for (int i = 0; i < 36; ++i) {
-      SmallCard card = random_sharp();
+      PlacedCard card = random_sharp();
       const double z = random.octaves(1, 30);
       card.z = float(z);
       card.at = {z * random.between(-0.5, 0.5), z * random.between(-0.3, 0.3)};
@@ -163,14 +163,14 @@ TEST_F(AvboitExactLayers, AreTheNearestFragmentsOfAPixel) {
 
 TEST_F(AvboitExactLayers, OfOneDepthHideEachOtherAsInTheReference) {
   clear_cards();
-  SmallCard smoke;  // before them
+  PlacedCard smoke;  // before them
   smoke.z = 2;
   smoke.half_size = {9, 9};
   smoke.optical_depth = 0.7f;
   smoke.color = {0.3, 0.3, 0.3};
   add(smoke);
   for (int i = 0; i < 12; ++i) {
-    SmallCard card = random_sharp();
+    PlacedCard card = random_sharp();
     card.z = 4;
     card.optical_depth = i % 3 == 0 ? 1.0f : 20.0f;
     card.transmission = glm::vec3(0.0f);
@@ -242,7 +242,7 @@ TEST_F(AvboitExactLayers, AreTheSameBitsInEveryOrderOfDraws) {
   for (settings.exact_layers = 1; settings.exact_layers <= 3; ++settings.exact_layers) {
     clear_cards();
     for (int i = 0; i < 30; ++i) {
-      SmallCard card = random_sharp();
+      PlacedCard card = random_sharp();
       card.z = 3 + float(i / 3) * 0.5f;  // three at each depth: ties
       card.half_size = {random.f(1, 9), random.f(1, 9)};
       add(card);
@@ -276,7 +276,7 @@ TEST_F(AvboitExactLayers, MakeAPictureThatIsTheExactCompositeOfAsManyPanes) {
   for (const uint32_t layers : {2u, 4u, 8u}) {
     clear_cards();
     for (uint32_t i = 0; i < layers; ++i) {
-      SmallCard card = random_sharp();
+      PlacedCard card = random_sharp();
       card.layer = shared::kSolidLayer;
       card.z = 3 + random.f(0, 5);
       card.color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};

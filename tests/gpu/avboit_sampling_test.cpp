@@ -43,7 +43,7 @@ void main() {
     const auto image = [&](const char* name) { return &s.resources.image(name); };
     const auto buffer = [&](const char* name) { return &s.resources.buffer(name); };
     ask("sampling_probe.comp", {uint32_t(settings.sampling), settings.linear_splat ? 1u : 0u, 0u},
-        {{"View", &s.world->view},
+        {{"View", s.world->transparents().view},
          {"VolumeBlock", buffer("volume")},
          {"WarpTable", buffer("warp")},
          {"Layers", buffer("layers")},
@@ -204,7 +204,7 @@ TEST_F(AvboitSampling, ThePictureIsTheSumOfWhatIsReadInFrontOfEachLayer) {
     for (int c = 0; c < 3; ++c) {  // three of them shine, a channel each
       glm::vec3 color(0.0f);
       color[c] = 1.0f;
-      scalar[size_t(5 * c + 3)].ambient = pack_half4(color);
+      scalar[size_t(5 * c + 3)].ambient = make_card({.color = color}).ambient;
     }
     const auto expected = model(run_stages(settings, Until::kIntegrate), layers);
     const DrawnPicture drawn = draw_cards("avboit", {{"sampling", name},
@@ -225,7 +225,7 @@ TEST_F(AvboitSampling, TheProbeIsExactInEmptySpace) {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance("avboit", {{"sparse", sparse}});
     const Probe probe(device, size / 2u, depths);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
     return probe.read_answer(device);
   };
   for (const char* sparse : {"true", "false"}) {

@@ -9,15 +9,12 @@
 #include <functional>
 #include <glm/gtc/packing.hpp>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <random>
 
 #include "renderer/methods/avboit/plan.h"
-#include "renderer/seen_cards.h"
-#include "sandbox/scene/opaque.h"
 #include "sandbox/scene/view.h"
-#include "shaders/effects/puff.h"
+#include "sandbox/stress/card_stage.h"
 #include "tests/gpu/gpu_test.h"
 
 namespace plume {
@@ -38,40 +35,6 @@ struct Random {
     for (size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[below(uint32_t(i))]);
   }
 };
-
-struct SmallCard {
-  float z = 5.0f;  ///< view depth of its middle, m
-  float optical_depth = 0.5f;
-  glm::vec3 color{0.0f}, transmission{0.0f}, emission{0.0f};
-  glm::vec2 half_size{1000.0f};  ///< m
-  glm::vec2 at{0.0f};            ///< of its middle, m right and up
-  float yaw = 0.0f, pitch = 0.0f;
-  uint32_t layer = shared::kSoftLayer;  ///< no puff: it glows as it says, whatever its texel's openness
-  bool apart = false;
-};
-
-inline glm::uvec2 pack_half4(glm::vec3 v) {
-  return {glm::packHalf2x16({v.x, v.y}), glm::packHalf2x16({v.z, 0.0f})};
-}
-
-/// Seen from the origin, which looks along -z.
-inline shared::Card make_card(const SmallCard& c) {
-  const glm::vec3 along(std::cos(c.yaw), 0.0f, -std::sin(c.yaw));
-  const glm::vec3 upright(std::sin(c.yaw) * std::sin(c.pitch), std::cos(c.pitch),
-                          std::cos(c.yaw) * std::sin(c.pitch));
-  return {.center = {c.at.x, c.at.y, -c.z},
-          .optical_depth = c.optical_depth,
-          .axis_u = along * c.half_size.x,
-          .inv_feather = 0.0f,
-          .axis_v = upright * c.half_size.y,
-          .layers = c.layer | c.layer << shared::kLayerBits | (c.apart ? shared::kCardSetApart : 0u),
-          .sunlit = {0, 0},
-          .ambient = pack_half4(c.color),
-          .emission = pack_half4(c.emission),
-          .transmission = pack_half4(c.transmission),
-          .light = {0, 0},
-          .motion = {0, 0}};
-}
 
 /// The table from depth to physical slice.
 struct Warp {
@@ -131,7 +94,7 @@ class AvboitTest : public GpuTest {
 
   glm::uvec2 size{64, 36};
   Scene scene = room();
-  std::vector<shared::Card> scalar, rgb;
+  std::vector<shared::Card> scalar, haze, rgb;
   std::vector<uint32_t> order;  ///< of all cards; empty: as they are
   bool poison = true;           ///< what no pass promises to clear holds NaN before the stages
 
@@ -145,12 +108,13 @@ class AvboitTest : public GpuTest {
     scene.camera = {{.tick = 0, .position = {0, 0, 0}, .target = {0, 0, -1}, .vertical_fov_deg = 50}};
     return scene;
   }
-  void add(const SmallCard& card) {
+  void add(const PlacedCard& card) {
     (source_of(card.transmission) == Source::kRgb ? rgb : scalar).push_back(make_card(card));
   }
-  void clear_cards() { scalar.clear(), rgb.clear(), order.clear(); }
+  void clear_cards() { scalar.clear(), haze.clear(), rgb.clear(), order.clear(); }
   std::vector<shared::Card> cards() const {
     std::vector<shared::Card> all = scalar;
+    all.insert(all.end(), haze.begin(), haze.end());
     all.insert(all.end(), rgb.begin(), rgb.end());
     return all;
   }
@@ -175,58 +139,12 @@ class AvboitTest : public GpuTest {
   }
 
   /// What is drawn, on the device.
-  struct World {
+  struct World : CardStage {
     Targets targets;
-    OpaqueScene opaque;
-    gpu::Image puffs;
-    gpu::Buffer view, cards, order;
-    SeenCards seen;
-    Transparents transparents;
-    Prelude prelude() const {
-      return {.geometry =
-                  [this](gpu::Frame& frame, const Targets& t) {
-                    seen.record(frame, transparents, order);
-                    opaque.record_depth(frame, t, view);
-                  },
-              .opaque = [this](gpu::Frame& frame, const Targets& t,
-                               const gpu::Image& depth) { opaque.record_color(frame, t, depth, view); }};
-    }
   };
   std::unique_ptr<World> world() {
-    std::vector<shared::Card> all = cards();
-    const uint32_t count = uint32_t(all.size());
-    if (all.empty()) all.resize(1);
-    std::vector<uint32_t> places = order;
-    if (places.empty()) {
-      places.resize(all.size());
-      std::iota(places.begin(), places.end(), 0u);
-    }
-    auto w = std::make_unique<World>(
-        World{.targets = Targets(device, size),
-              .opaque = OpaqueScene(device, scene.solids),
-              .puffs = gpu::Image(device, {.owner = "test",
-                                           .label = "puffs",
-                                           .format = vk::Format::eR8G8B8A8Unorm,
-                                           .extent = {2, 2, 1},
-                                           .layers = shared::kPuffLayers,
-                                           .usage = vk::ImageUsageFlagBits::eSampled}),
-              .view = gpu::make_buffer(device, "test", "view", std::vector{view()}),
-              .cards = gpu::make_buffer(device, "test", "cards", all),
-              .order = gpu::make_buffer(device, "test", "order", places),
-              .seen = SeenCards(device),
-              .transparents = {}});
-    w->transparents = {.cards = &w->cards,
-                       .puffs = &w->puffs,
-                       .view = &w->view,
-                       .count = count,
-                       .counts = {uint32_t(scalar.size()), 0u, uint32_t(rgb.size())}};
-    w->seen.fit(w->transparents);
-    gpu::Frame frame(device, pipelines);
-    frame.pass("puffs", [&](gpu::Pass& pass) {
-      pass.clear(w->puffs, {85.0f / 255, 128.0f / 255, 128.0f / 255, 1.0f});
-    });
-    frame.finish();
-    return w;
+    return std::unique_ptr<World>(new World{
+        {device, pipelines, scene.solids, view(), {{scalar, haze, rgb}, order}}, Targets(device, size)});
   }
 
   /// Every resource that the frame does not clear at its beginning is filled with what must not be seen.
@@ -265,7 +183,7 @@ class AvboitTest : public GpuTest {
   };
   Stages run_stages(const avboit::Settings& settings, Until until) {
     std::unique_ptr<World> w = world();
-    Stages s{.plan = avboit::Plan(settings, size, w->transparents),
+    Stages s{.plan = avboit::Plan(settings, size, w->transparents()),
              .resources = {},
              .device = &device,
              .world = std::move(w)};
@@ -283,7 +201,7 @@ class AvboitTest : public GpuTest {
     clear_declared(frame, needs, s.resources);
     const Picture picture{.frame = frame,
                           .resources = s.resources,
-                          .transparents = s.world->transparents,
+                          .transparents = s.world->transparents(),
                           .opaque_color = targets.opaque_color,
                           .opaque_depth = targets.opaque_depth,
                           .result = targets.result,
@@ -306,11 +224,11 @@ class AvboitTest : public GpuTest {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance(id, settings);
     const auto shot = [&] {
-      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
       return read_picture(device, w->targets);
     };
     if (!poisoned) return shot();
-    const Needs needs = method.method->needs(size, w->transparents);
+    const Needs needs = method.method->needs(size, w->transparents());
     method.resources.fit(device, method.owner, needs, size);
     fill_with_poison(needs, method.resources);
     return shot();

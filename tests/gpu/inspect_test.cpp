@@ -30,7 +30,7 @@ class InspectTest : public AvboitTest {
     Seen seen{.world = world(), .method = instance(id, settings), .report = {}, .values = {}};
     const Glance glance(device, size, view, slice);
     seen.report = render_frame(device, pipelines, seen.world->targets, seen.world->prelude(),
-                               seen.world->transparents, seen.method, nullptr, &glance);
+                               seen.world->transparents(), seen.method, nullptr, &glance);
     seen.values = glance.read_values(device);
     return seen;
   }
@@ -199,7 +199,7 @@ TEST_F(InspectTest, TransmittanceBehindASliceIsWhatTheProbeReadsThere) {
       for (const glm::uvec2 pixel : {glm::uvec2(5, 9), glm::uvec2(14, 20), glm::uvec2(40, 30)}) {
         MethodInstance method = instance("vboit", settings);
         const Probe probe(device, pixel, {float(depth)});
-        render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+        render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
         const glm::vec3 t = probe.read_answer(device)[0];
         EXPECT_NEAR(double(t.r + t.g + t.b) / 3, double(at(seen, pixel)), kBound)
             << "slice " << slice << " pixel " << pixel.x;
@@ -223,11 +223,11 @@ TEST_F(InspectTest, TransmittanceIsReadOnlyWhereItWasIntegrated) {
   const auto w = world();
   MethodInstance method = instance("avboit");
   const auto draw = [&](const Glance* glance) {
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, nullptr, glance);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, nullptr, glance);
   };
   draw(nullptr);
   const size_t used = method.method->depth_slices(device, method.resources).size();
-  fill_with_poison(method.method->needs(size, w->transparents), method.resources);
+  fill_with_poison(method.method->needs(size, w->transparents()), method.resources);
   ASSERT_GT(used, 4u);
   float least = 1;
   for (uint32_t slice = 0; slice < used; ++slice) {
@@ -304,7 +304,7 @@ TEST_F(InspectTest, LookingChangesNoPicture) {
   for (const char* id : {"avboit", "wboit"}) {
     MethodInstance method = instance(id);
     const auto draw = [&](const Glance* glance) {
-      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, nullptr, glance);
+      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, nullptr, glance);
       return read_picture(device, w->targets).linear.pixels;
     };
     const auto expected = draw(nullptr);

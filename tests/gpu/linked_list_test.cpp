@@ -22,12 +22,12 @@ class LinkedListTest : public AvboitTest {
   Drawn draw_lists(int fragments) {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance("linked_list", {{"fragments", std::to_string(fragments)}});
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
     return {read_picture(device, w->targets).linear.pixels,
             method.method->statistics(device, method.resources),
             {device, method.resources}};
   }
-  SmallCard random_card() {
+  PlacedCard random_card() {
     return {.z = random.f(2, 20),
             .optical_depth = random.f(0.05, 1.5),
             .color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)},
@@ -37,7 +37,7 @@ class LinkedListTest : public AvboitTest {
 
 TEST_F(LinkedListTest, HasTheReferencesBitsWhileThePoolHasRoom) {
   for (int i = 0; i < 30; ++i) {
-    SmallCard card = random_card();
+    PlacedCard card = random_card();
     card.yaw = random.f(-0.5, 0.5);
     card.half_size = {random.f(0.5, 9), random.f(0.5, 9)};
     if (i % 4 == 0) card.emission = {2, 1, 0.5f};
@@ -65,7 +65,7 @@ TEST_F(LinkedListTest, TheTailIsTheAverageOfWhatFoundNoPlaceBehindWhatDid) {
   const int kKept = 4;
   glm::dvec3 light(0), through(1), tail(0), weight(0), tail_through(1);
   for (int i = 0; i < 12; ++i) {
-    SmallCard card = random_card();
+    PlacedCard card = random_card();
     if (i < kKept) card.z = 1 + float(i) * 0.1f, card.optical_depth *= 0.1f;
     add({.z = card.z, .optical_depth = card.optical_depth, .color = card.color});
     const double covers = 1 - std::exp(-double(card.optical_depth));
@@ -83,7 +83,7 @@ TEST_F(LinkedListTest, TheTailIsTheAverageOfWhatFoundNoPlaceBehindWhatDid) {
 
 TEST_F(LinkedListTest, WhatIsInTheTailLetsThroughExactlyWhatItDoes) {
   for (int i = 0; i < 20; ++i) {
-    SmallCard card = random_card();
+    PlacedCard card = random_card();
     card.color = glm::vec3(0.0f);
     card.optical_depth *= 0.1f;
     add(card);
@@ -114,7 +114,7 @@ TEST_F(LinkedListTest, ANearCardThatComesAfterThePoolIsFullFallsBehind) {
 
 TEST_F(LinkedListTest, TheOrderOfTheTailChangesNothingBeyondRounding) {
   for (int i = 0; i < 14; ++i) {
-    SmallCard card = random_card();
+    PlacedCard card = random_card();
     add({.z = card.z, .optical_depth = card.optical_depth, .color = card.color});
   }
   order.resize(14);

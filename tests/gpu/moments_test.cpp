@@ -250,7 +250,7 @@ void main() {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance(id, settings);
     const Probe probe(device, size / 2u, depths);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
     return probe.read_answer(device);
   }
   static int difference(const std::array<uint8_t, 3>& a, const std::array<uint8_t, 3>& b) {
@@ -475,7 +475,7 @@ TEST_F(MomentsTest, DepthBoundsEncloseWhatIsSeen) {
     }
   const std::unique_ptr<World> w = world();
   MethodInstance method = instance("moments");
-  render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+  render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
   const nlohmann::json told_of = method.method->statistics(device, method.resources);
   EXPECT_NEAR(nearest, told_of["nearest_m"].get<double>(), nearest * 1e-5);
   EXPECT_NEAR(farthest, told_of["farthest_m"].get<double>(), farthest * 1e-5);

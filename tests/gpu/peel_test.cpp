@@ -22,7 +22,7 @@ class PeelTest : public AvboitTest {
   };
 
   Drawn draw_peels(const World& w, MethodInstance& method, gpu::Pipelines& with) {
-    const FrameReport report = render_frame(device, with, w.targets, w.prelude(), w.transparents, method);
+    const FrameReport report = render_frame(device, with, w.targets, w.prelude(), w.transparents(), method);
     return {read_picture(device, w.targets).linear, method.method->statistics(device, method.resources),
             report.redraws};
   }

@@ -186,14 +186,12 @@ TEST_F(PhenomenologicalTest, HazeShiftsTheBackgroundByItsAngleAndNothingWhereItT
     const double z = 4, background = z + gap + 1e-3, bend = 0.05;
     put_edge(background);
     clear_cards();
-    shared::Card haze = make_card(card_of({.coverage = 0, .z = z}));
-    haze.motion.y = glm::packHalf2x16({0.0f, float(bend)});
-    scalar = {haze};
+    haze = {make_card(card_of({.coverage = 0, .z = z}))};
+    haze[0].motion.y = glm::packHalf2x16({0.0f, float(bend)});
     const auto w = world();
-    w->transparents.counts = {0, 1, 0};
     gpu::Frame frame(device, pipelines);
     frame.pass("puffs", [&](gpu::Pass& pass) {
-      pass.clear(w->puffs, {85.0f / 255, 1.0f, 128.0f / 255, 1.0f});
+      pass.clear(w->texture(), {85.0f / 255, 1.0f, 128.0f / 255, 1.0f});
     });
     frame.finish();
     const auto edge = [&](const Settings& settings) {

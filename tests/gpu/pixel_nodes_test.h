@@ -130,7 +130,7 @@ class PixelNodesTest : public AvboitTest {
     clear_cards();
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t kind = random.below(6);
-      SmallCard c{.z = float(2 + random.below(40) * 0.25)};
+      PlacedCard c{.z = float(2 + random.below(40) * 0.25)};
       c.optical_depth = kind == 0 ? 0.0f : float(random.octaves(0.004, thin ? 0.3 : kind == 1 ? 40.0 : 2.0));
       c.color = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
       if (kind == 2) c.transmission = {random.f(0, 1), random.f(0, 1), random.f(0, 1)};
@@ -189,7 +189,7 @@ class PixelNodesTest : public AvboitTest {
     const std::unique_ptr<World> w = world();
     MethodInstance method = instance(id, settings);
     const Probe probe(device, {size.x / 2, size.y / 2}, depths);
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
     return {probe.read_answer(device), method.method->statistics(device, method.resources)};
   }
 };

@@ -42,7 +42,7 @@ class StochasticTest : public AvboitTest {
     MethodInstance method = instance("stochastic", settings);
     for (int seed = 0; seed < seeds; ++seed) {
       set_parameter(*method.method, "seed", std::to_string(seed));
-      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+      render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
       const Image drawn = read_picture(device, w->targets).linear;
       for (size_t i = 0; i < drawn.pixels.size(); ++i) {
         const glm::dvec3 pixel(drawn.pixels[i]);
@@ -200,7 +200,7 @@ TEST_F(StochasticTest, ACardCoversAsManySamplesAsItIsOpaque) {
     add({.z = 5, .optical_depth = alpha < 1 ? -std::log1p(-alpha) : shared::kOpaqueDepth});
     const auto w = world();
     MethodInstance method = instance("stochastic", {{"passes", "2"}});
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method);
     std::vector<glm::vec4> kept;
     for (const uint32_t round : {0u, 1u})
       std::ranges::copy(read_layer<glm::vec4>(method.resources.image("kept"), round),

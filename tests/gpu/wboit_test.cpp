@@ -89,14 +89,14 @@ TEST_F(WboitTest, LowResolutionParticlesInterleaveInDepthWithSharpSurfaces) {
     clear_cards();
     for (int i = 0; i < 6; ++i) {
       const bool sharp = i % 2 != 0;
-      SmallCard card = card_of({.color = glm::dvec3(i == 1, i == 3, i == 5) + 0.2,
-                                .coverage = sharp ? 0.7 : 0.3,
-                                .transmission = sharp ? glm::dvec3(0.6, 0.1, 0.3) : glm::dvec3(0),
-                                .z = 2.0 + i},
-                               sharp ? shared::kSolidLayer : 0);
+      PlacedCard card = card_of({.color = glm::dvec3(i == 1, i == 3, i == 5) + 0.2,
+                                 .coverage = sharp ? 0.7 : 0.3,
+                                 .transmission = sharp ? glm::dvec3(0.6, 0.1, 0.3) : glm::dvec3(0),
+                                 .z = 2.0 + i},
+                                sharp ? shared::kSolidLayer : 0);
       if (sharp)
-        card.half_size = glm::vec2(0.13f, 0.2f) * card.z,
-        card.at = glm::vec2(0.05f, 0.02f) * card.z * float(i - 3);
+        card.half_size = glm::vec2(0.13f, 0.2f) * float(card.z),
+        card.at = glm::vec2(0.05f, 0.02f) * float(card.z) * float(i - 3);
       add(card);
     }
   };
@@ -112,7 +112,7 @@ TEST_F(WboitTest, LowResolutionParticlesInterleaveInDepthWithSharpSurfaces) {
 
 TEST_F(WboitTest, ParticlesAreBlurredOnlyAtTheirOwnEdges) {
   size = {64, 36};
-  SmallCard puff = card_of({.color = {1, 1, 1}, .coverage = 1, .z = 4});
+  PlacedCard puff = card_of({.color = {1, 1, 1}, .coverage = 1, .z = 4});
   puff.half_size = {1.13f, 100};
   add(puff);
   const Drawn full = draw("wboit");

@@ -29,7 +29,7 @@ class WeightedTest : public AvboitTest {
 
   void SetUp() override { size = {8, 4}; }
 
-  static SmallCard card_of(const WeightedLayer& layer, uint32_t texture = 0) {
+  static PlacedCard card_of(const WeightedLayer& layer, uint32_t texture = 0) {
     return {.z = float(layer.z),
             .optical_depth = layer.coverage < 1 ? float(-std::log1p(-layer.coverage)) : shared::kOpaqueDepth,
             .color = glm::vec3(layer.color),
@@ -63,7 +63,7 @@ class WeightedTest : public AvboitTest {
 
   Drawn draw(const World& w, std::string_view id, const std::map<std::string, std::string>& settings) {
     MethodInstance method = instance(id, settings);
-    render_frame(device, pipelines, w.targets, w.prelude(), w.transparents, method);
+    render_frame(device, pipelines, w.targets, w.prelude(), w.transparents(), method);
     Drawn drawn{.pixels = read_picture(device, w.targets).linear.pixels,
                 .statistics = method.method->statistics(device, method.resources),
                 .surface = {}};
@@ -83,7 +83,7 @@ class WeightedTest : public AvboitTest {
     const auto w = world();
     MethodInstance method = instance(id, settings);
     const Probe probe(device, {size.x / 2, size.y / 2}, {float(z)});
-    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents, method, &probe);
+    render_frame(device, pipelines, w->targets, w->prelude(), w->transparents(), method, &probe);
     return probe.read_answer(device)[0];
   }
   const glm::vec3& middle(const Drawn& drawn) const {

@@ -15,7 +15,7 @@ class TriangleCards : public AvboitTest, public testing::WithParamInterface<std:
     scene.light.horizon = {0.2f, 0.3f, 0.5f};
   }
   /// No diagonal of it meets the centre of a pixel.
-  static SmallCard pane(uint32_t layer, bool faces = false) {
+  static PlacedCard pane(uint32_t layer, bool faces = false) {
     return {.z = 4.0f,
             .optical_depth = 0.6f,
             .color = {0.8f, 0.4f, 0.1f},
