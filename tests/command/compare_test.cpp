@@ -93,7 +93,7 @@ TEST_F(CompareTest, ASlashInASettingMakesNoFolder) {
 
 TEST_F(CompareTest, ReferenceHasNoErrorAndTheOthersHave) {
   ASSERT_EQ(compare_street().exit_code, 0);
-  for (const json& frame : results()["frames"]) {
+  for (const json& frame : json(results()["frames"])) {
     SCOPED_TRACE(frame.dump());
     if (frame["method"] == "reference") {
       EXPECT_EQ(frame["error"]["rmse"], 0.0);

@@ -111,11 +111,11 @@ TEST_F(FailureTest, WithoutAnOptionalFeatureMethodsThatNeedItAreNamedAndAllOther
     const Outcome stressed = run({"stress", "three_cards", "--json"}, without);
     ASSERT_EQ(compared.exit_code, 0) << compared.err;
     ASSERT_LE(stressed.exit_code, 1) << stressed.err;
-    for (const json& frame : results()["frames"]) {
+    for (const json& frame : json(results()["frames"])) {
       const auto lacks = unavailable.find(frame["method"]);
       EXPECT_EQ(frame["status"], lacks == unavailable.end() ? "ok" : "unavailable: needs " + lacks->second);
     }
-    for (const json& row : json::parse(stressed.out)["rows"]) {
+    for (const json& row : json(json::parse(stressed.out)["rows"])) {
       EXPECT_EQ(row["verdict"] == "unavailable", unavailable.contains(row["method"])) << row;
       EXPECT_NE(row["verdict"], "FAILED") << row;
     }
