@@ -6,15 +6,14 @@
 #extension GL_EXT_shader_atomic_int64 : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #include "methods/avboit/sums.h"
+#include "surface/inside.glsl"
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Sums { int64_t at[]; };   // [pixel][kSums]
 layout(scalar, binding = 16) readonly buffer SumsAddress { uvec2 sums_address; };
 
-// Pixels at half the resolution follow the others. Fragments beyond the border, run as members of a quad, get one inside: addresses are
-// not held to their buffer.
+// Pixels at half the resolution follow the others.
 uint first_sum(uvec2 at, uvec2 size, uint scale) {
-  const uvec2 all = (size + scale - 1u) / scale, inside = min(at, all - 1u);
-  const uint pixel = inside.y * all.x + inside.x;
+  const uint pixel = index_inside(at, (size + scale - 1u) / scale);
   return (pixel + (scale > 1u ? size.x * size.y : 0u)) * kSums;
 }
 

@@ -4,6 +4,7 @@
 // Limits: a cell larger than a pixel takes each card where its centre meets it.
 #ifndef PLUME_ABSORBANCE_CELLS_GLSL
 #define PLUME_ABSORBANCE_CELLS_GLSL
+#include "surface/inside.glsl"
 
 layout(constant_id = 0) const uint kDivisor = 1u;      // pixels a cell, each way
 layout(constant_id = 1) const uint kCellRange = 1u;    // 0: of the scene
@@ -27,11 +28,7 @@ vec2 scene_range() {
 }
 
 uvec2 cells() { return (view.size + kDivisor - 1u) / kDivisor; }
-// Fragments beyond the border, run as members of a quad, get one inside: coefficients are read by address, not held to their buffer.
-uint cell_index(uvec2 cell) {
-  const uvec2 all = cells(), inside = min(cell, all - 1u);
-  return inside.y * all.x + inside.x;
-}
+uint cell_index(uvec2 cell) { return index_inside(cell, cells()); }
 
 // A cell's range as it is kept: so that both come from atomicMax on zeros, the nearest is complemented. Bits of positive floats are
 // ordered as they are.
