@@ -53,8 +53,8 @@ void add_crowd(std::vector<shared::Card>& cards, uint32_t count, float fov_deg, 
 }
 
 /// `most` of them.
-PlacedCards by_source(const CardScene& scene, glm::uvec2 size, uint64_t most) {
-  PlacedCards cards;
+CardsBySource by_source(const CardScene& scene, glm::uvec2 size, uint64_t most) {
+  CardsBySource cards;
   const auto of = [&](Source source) -> auto& {
     return cards.sources[size_t(source)];
   };
@@ -98,7 +98,7 @@ float optical_depth_of(double coverage) {
 }
 
 CardStage::CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const std::vector<Solid>& solids,
-                     const shared::ViewData& view, PlacedCards cards)
+                     const shared::ViewData& view, CardsBySource cards)
     : opaque_(device, solids),
       texture_(device, {.owner = "scene",
                         .label = "even density",

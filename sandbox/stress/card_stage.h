@@ -28,7 +28,7 @@ struct PlacedCard {
 
 shared::Card make_card(const PlacedCard& card);
 
-struct PlacedCards {
+struct CardsBySource {
   std::array<std::vector<shared::Card>, kSources> sources;
   std::vector<uint32_t> order;  ///< of all cards, one source after the other; empty: as they are
 };
@@ -52,7 +52,7 @@ class CardStage {
  public:
   /// Of cards as dense everywhere as in their middle.
   CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const std::vector<Solid>& solids,
-            const shared::ViewData& view, PlacedCards cards);
+            const shared::ViewData& view, CardsBySource cards);
   CardStage(gpu::Device& device, gpu::Pipelines& pipelines, const CardScene& scene, glm::uvec2 size);
   CardStage(const CardStage&) = delete;  // transparents() points into it
 

@@ -26,7 +26,7 @@ TEST_F(BadParticlesTest, AreCountedAndToldOfWithTheirEmitter) {
   const json expected{
       {"count", 4}, {"first", {{"effect", "far"}, {"instance", "it"}, {"emitter", "runaway"}, {"birth", 0}}}};
   ASSERT_EQ(results()["frames"].size(), 2u);
-  for (const json& frame : json(results()["frames"])) {
+  for (const json& frame : frames()) {
     EXPECT_EQ(frame["bad_particles"], expected);
     EXPECT_TRUE(says(frame["shortfalls"].back(), {"4 particles are not finite", "`runaway` in far.toml",
                                                   "what it inherits of its parent, gravity"}));
@@ -40,7 +40,7 @@ TEST_F(BadParticlesTest, AreCountedAndToldOfWithTheirEmitter) {
 TEST_F(BadParticlesTest, AreNotToldOfWhereThereAreNone) {
   const Outcome outcome = compare("10");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const json& frame : json(results()["frames"]))
+  for (const json& frame : frames())
     EXPECT_EQ(frame["bad_particles"], (json{{"count", 0}, {"first", nullptr}}));
   EXPECT_EQ(outcome.err.find("not finite"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out.find("bad particles"), std::string::npos) << outcome.out;

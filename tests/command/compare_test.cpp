@@ -96,7 +96,7 @@ TEST_F(CompareTest, ReferenceHasNoErrorAndMethodsThatAreNotExactHave) {
   for (const json& method : json::parse(run({"list", "methods", "--json"}).out))
     if (method["exact"]) exact.insert(method["id"]);
   ASSERT_EQ(compare_street().exit_code, 0);
-  for (const json& frame : json(results()["frames"])) {
+  for (const json& frame : frames()) {
     SCOPED_TRACE(frame.dump());
     if (frame["method"] == "reference") {
       EXPECT_EQ(frame["error"]["rmse"], 0.0);

@@ -111,7 +111,7 @@ TEST_F(FailureTest, WithoutAnOptionalFeatureMethodsThatNeedItAreNamedAndAllOther
     const Outcome stressed = run({"stress", "three_cards", "--json"}, without);
     ASSERT_EQ(compared.exit_code, 0) << compared.err;
     ASSERT_LE(stressed.exit_code, 1) << stressed.err;
-    for (const json& frame : json(results()["frames"])) {
+    for (const json& frame : frames()) {
       const auto lacks = unavailable.find(frame["method"]);
       EXPECT_EQ(frame["status"], lacks == unavailable.end() ? "ok" : "unavailable: needs " + lacks->second);
     }

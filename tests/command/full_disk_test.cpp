@@ -112,7 +112,7 @@ class FullDiskTest : public ProgramTest {
 
       if (fs::exists(this->at(command.writes_into / "results.json"))) {
         const json all = json::parse(right.at("results.json"));
-        for (const json& frame : json(results(command.writes_into)["frames"])) {
+        for (const json& frame : frames(command.writes_into)) {
           EXPECT_EQ(std::ranges::count(without_times(all["frames"]), without_times(frame)), 1) << frame;
           for (const char* file : {"image", "error_map", "hdr"})
             if (frame[file].is_string()) {

@@ -83,6 +83,8 @@ class ProgramTest : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
   json results(const fs::path& folder = "out") const { return json::parse(read(folder / "results.json")); }
+  /// A copy, which a loop may go over: a part of results() is gone before the loop begins.
+  json frames(const fs::path& folder = "out") const { return results(folder)["frames"]; }
   json demand_of_first(const fs::path& folder = "out") const {
     return results(folder).at("moments").at(0).at("demand");
   }

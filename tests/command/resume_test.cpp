@@ -23,7 +23,7 @@ class ResumeTest : public ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments, environment);
   }
-  json frames(const fs::path& folder = "out") { return without_times(results(folder)["frames"]); }
+  json timeless_frames(const fs::path& folder = "out") { return without_times(frames(folder)); }
   /// Sends `signal` to a replay once it has finished a tick.
   Outcome stop_after_a_tick(int signal) {
     const pid_t program = start({"replay", "script.toml"});
@@ -39,7 +39,7 @@ TEST_F(ResumeTest, ShardsTogetherGiveTheFramesOfTheWholeRun) {
   ASSERT_EQ(replay({"--out", "whole"}).exit_code, 0);
   ASSERT_EQ(replay({"--out", "even", "--shard", "0/2"}).exit_code, 0);
   ASSERT_EQ(replay({"--out", "odd", "--shard", "1/2"}).exit_code, 0);
-  const json whole = frames("whole"), even = frames("even"), odd = frames("odd");
+  const json whole = timeless_frames("whole"), even = timeless_frames("even"), odd = timeless_frames("odd");
   ASSERT_EQ(whole.size(), 8u);
   EXPECT_EQ(even, json::array({whole[0], whole[1], whole[4], whole[5]}));
   EXPECT_EQ(odd, json::array({whole[2], whole[3], whole[6], whole[7]}));
@@ -162,23 +162,23 @@ TEST_F(ResumeTest, HalfFilesOfAKilledProcessAreRemoved) {
 
 TEST_F(ResumeTest, RemovedPictureIsDrawnAgain) {
   ASSERT_EQ(replay().exit_code, 0);
-  const json before = frames();
+  const json before = timeless_frames();
   const auto drawn = pictures();
   fs::remove(at("out/street_000020_wboit.png"));
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
   EXPECT_EQ(pictures(), drawn);
-  EXPECT_EQ(frames(), before);
+  EXPECT_EQ(timeless_frames(), before);
 }
 
 TEST_F(ResumeTest, RemovedExrIsDrawnAgain) {
   play("[20]", "[capture]\nimages = false\nerror_maps = false\nhdr = true\n[[method]]\nid = 'wboit'\n");
   ASSERT_EQ(replay().exit_code, 0);
-  const json before = frames();
+  const json before = timeless_frames();
   const auto drawn = pictures();
   fs::remove(at("out/street_000020_wboit.exr"));
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
   EXPECT_EQ(pictures(), drawn);
-  EXPECT_EQ(frames(), before);
+  EXPECT_EQ(timeless_frames(), before);
 }
 
 TEST_F(ResumeTest, InterruptedRunIsCompletedByResume) {
@@ -198,7 +198,7 @@ TEST_F(ResumeTest, InterruptedRunIsCompletedByResume) {
     EXPECT_TRUE(fs::exists(at("out") / frame["image"].get<std::string>()));
 
   ASSERT_EQ(replay({"--resume"}).exit_code, 0);
-  EXPECT_EQ(frames(), frames("whole"));
+  EXPECT_EQ(timeless_frames(), timeless_frames("whole"));
   EXPECT_EQ(pictures(), pictures("whole"));
   EXPECT_EQ(results()["frames"][0], partial["frames"][0]);  // with its old times
 }
